@@ -155,15 +155,74 @@ def parts(found: Experiments) -> list[list[str]]:
     return rows
 
 
-def duels(found: Experiments) -> list[list[str]]:
-    """Every other match."""
-    special = ("matrix-", "strength-", "part-", "breaker-", "level-")
-    rows = [["Experiment", "first", "second", "frames", "points of the first, %"]]
-    for name, match in found.items():
-        if "share" in match and not name.startswith(special):
-            one, other = match["players"]
-            frames = str(2 * match["pairs"])
-            rows.append([name, f"`{one}`", f"`{other}`", frames, points(match)])
+#: The matches with a bar: what is played, and the least points of the first player, %.
+BARS = {
+    "cue-card-same-break": ("20 000 a frame against CueCard with 200 000, same break", 50),
+    "cue-card-6-s-same-break": ("300 000 a frame against CueCard with 200 000, same break", 52),
+    "cue-card-6-s-own-breaks": ("300 000 a frame against CueCard with 200 000, own breaks", 57),
+    "bar-carom-pick-pocket": ("3000 a decision against PickPocket with 3000, same break", 70),
+    "bar-carom-greedy": ("3000 a decision against greedy, same break", 80),
+    "bar-5-ms-greedy": ("250 a decision against greedy with simulated aim, same break", 90),
+}
+
+
+def bars(found: Experiments) -> list[list[str]]:
+    """The searching player against others, beside the bars."""
+    rows = [["Simulations", "frames", "points, %", "bar, %"]]
+    for name, (title, bar) in BARS.items():
+        if match := found.get(name):
+            rows.append([title, str(2 * match["pairs"]), points(match), str(bar)])
+    return rows
+
+
+#: Published matches (Archibald, Altman & Shoham, IJCAI 2009): the points of the first player.
+PUBLISHED = {
+    "cue-card-pick-pocket-own-breaks": ("CueCard against PickPocket, own breaks", "77.4"),
+    "cue-card-pick-pocket-same-break": ("CueCard against PickPocket, CueCard's break", "69.3"),
+    "cue-card-pick-pocket-tenth": ("the same, PickPocket with a tenth of the simulations", ""),
+    "level-two-off": ("CueCard without level two against CueCard", "45.2"),
+    "level-two-given-to-level-one": ("its simulations given to level one", "51.6"),
+    "samples-10": ("10 samples of a shot against 30", "loses"),
+    "samples-20": ("20 samples against 30", "loses"),
+    "samples-60": ("60 samples against 30", "equal"),
+    "samples-120": ("120 samples against 30", "equal"),
+    "samples-300": ("300 samples against 30", "loses"),
+}
+
+
+def published(found: Experiments) -> list[list[str]]:
+    """The matches of the literature's players beside the published results."""
+    rows = [["Match", "frames", "points of the first, %", "published, %"]]
+    for name, (title, theirs) in PUBLISHED.items():
+        if match := found.get(f"literature-{name}"):
+            rows.append([title, str(2 * match["pairs"]), points(match), theirs])
+    return rows
+
+
+#: Shares of points of greedy and of Deep Green at depths 1 and 2 in percent, by the noise at which
+#: about as many shots sink (Greenspan et al., IEEE Computer 2008).
+DEEP_GREEN = {0.0: (9.9, 61.1, 79.9), 0.5: None, 1.0: (19.9, 62.7, 67.4), 2.0: (36.5, 54.8, 58.7)}
+
+
+def deep_green(found: Experiments) -> list[list[str]]:
+    """Deep Green and the greedy player, everybody against everybody."""
+    rows = [
+        ["Noise", "shots that sink, %", "greedy, %", "depth 1, %", "depth 2, %", "published, %"]
+    ]
+    names = ("greedy", "deep-green-1", "deep-green-2")
+    for noise, theirs in DEEP_GREEN.items():
+        pairs = [(0, 1), (0, 2), (1, 2)]
+        keys = [f"literature-{names[a]}-{names[b]}-x{noise:g}" for a, b in pairs]
+        if not all(key in found for key in keys):
+            continue
+        won: list[list[float]] = [[], [], []]
+        for (a, b), key in zip(pairs, keys, strict=True):
+            won[a].append(found[key]["share"])
+            won[b].append(1 - found[key]["share"])
+        counts = found[keys[2]]["counts"]
+        sink = share(sum(c["made"] for c in counts), sum(c["pots"] for c in counts))
+        cells = [f"{50 * sum(shares):.1f}" for shares in won]
+        rows.append([f"× {noise:g}", sink, *cells, " / ".join(map(str, theirs or ("",)))])
     return rows
 
 
@@ -223,7 +282,9 @@ TABLES = {
     "matrix": matrix,
     "strength": strength,
     "parts": parts,
-    "duels": duels,
+    "bars": bars,
+    "published": published,
+    "deep-green": deep_green,
     "endings": endings,
     "strategy-commits": made,
 }

@@ -39,6 +39,7 @@ PAGES = (
             "contact",
             "guarantees",
             "many-balls",
+            "photo",
             "realism",
             "strategy",
             "tables",
@@ -399,6 +400,27 @@ def pockets(result: JSON) -> str:
     return markdown(head, lines)
 
 
+#: What places a ball in a photo: names in the result, and in the page.
+PHOTO_ROWS = {
+    "tapped": "the tap itself",
+    "refined": "the centre of the outline near the tap",
+    "layout": "the layout after contacts and rails",
+}
+
+
+def photo(result: JSON) -> str:
+    """Errors of balls from photos, by the taps on the table and by the photographer's place."""
+    stands = {"end": "from the end", "side": "from the side", "corner": "from a corner"}
+    lines = []
+    for taps, name in (("6", "all six places"), ("4", "the corners only")):
+        for key, what in PHOTO_ROWS.items():
+            row = result["errors_mm"][f"{taps} taps, {key}"]
+            cells = [row, *(row[stand] for stand in stands)]
+            shown = [f"{cell['median']:.1f} / {cell['percentile_95']:.0f}" for cell in cells]
+            lines.append([name, what, *shown])
+    return markdown(["Taps on the table", "place of a ball", "all", *stands.values()], lines)
+
+
 TABLES: dict[str, Callable[[JSON], str]] = (
     {
         "summary": summary,
@@ -413,6 +435,7 @@ TABLES: dict[str, Callable[[JSON], str]] = (
         "published-breaks": published_breaks,
         "break-presets": break_presets,
         "pockets": pockets,
+        "photo": photo,
         "made": made,
         "realism-summary": realism_summary,
     }

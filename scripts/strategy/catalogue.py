@@ -135,11 +135,22 @@ for samples in (10, 20, 60, 120, 300):
         pairs=300,
         table="poolfiz",
     )
-# Deep Green at three noises.
-for noise in (0.0, 0.5, 1.0):
-    for one, other in (("greedy", "deep-green-1"), ("deep-green-1", "deep-green-2")):
-        EXPERIMENTS[f"literature-{one}-{other}-x{noise:g}"] = Match(
-            f"{one}:3000", f"{other}:3000", pairs=100, noise=noise, table="poolfiz"
+# The same with a tenth of the simulations for PickPocket, whose effort the papers do not tell.
+EXPERIMENTS["literature-cue-card-pick-pocket-tenth"] = Match(
+    "cue-card",
+    "pick-pocket",
+    pairs=150,
+    table="poolfiz",
+    frame_simulations=(CUE_CARD, CUE_CARD // 10),
+    same_break="head",
+)
+# Deep Green: every player against every other, at four noises.
+DEEP_GREEN = ("greedy", "deep-green-1", "deep-green-2")
+for noise in (0.0, 0.5, 1.0, 2.0):
+    for one, other in ((0, 1), (1, 2), (0, 2)):
+        first, second = DEEP_GREEN[one], DEEP_GREEN[other]
+        EXPERIMENTS[f"literature-{first}-{second}-x{noise:g}"] = Match(
+            f"{first}:3000", f"{second}:3000", pairs=100, noise=noise, table="poolfiz"
         )
 # The searching player against others, with the same break.
 for other in ("pick-pocket", "greedy"):

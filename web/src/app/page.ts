@@ -14,6 +14,7 @@ import { mountLayoutPanel } from "./layout/panel.ts";
 import { mountRefusal } from "./shell/notices.ts";
 import { mountPhysicsPanel } from "./physics/panel.ts";
 import { mountState } from "./replay/panel.ts";
+import { mountSound } from "./replay/sound.ts";
 import { mountTimeline } from "./replay/timeline.ts";
 import { mountAddress } from "./share/address.ts";
 import { mountShare } from "./share/menu.ts";
@@ -40,6 +41,7 @@ export function mountPage(store: Store, context: Context, welcome: boolean): voi
   mountPhysicsPanel(place("panel-physics"), store, context);
   mountState(place("panel-state"), store);
   mountTimeline(place("timeline"), store, context);
+  mountSound(store);
   mountWhatIf(place("panel-whatif"), store, context);
   mountGame(place("panel-game"), store, context);
   mountBar(place("game-bar"), store, context);

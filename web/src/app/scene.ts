@@ -31,6 +31,8 @@ export class Scene {
   #shown: State | null = null;
   /** The game whose areas are shown. */
   #game: Game | null = null;
+  /** Name of the pocket that is lit. */
+  #lit: string | null = null;
   #paths: Trace | null = null;
   #style: "ghost" | "trace" = "ghost";
   #states = new Float64Array(0);
@@ -67,9 +69,11 @@ export class Scene {
   #replay(trace: Trace, time: number): void {
     this.#setBalls(trace.statesAt(time, this.#buffer(trace.shot.balls.length)));
     this.#setPaths(trace, "trace");
+    this.#viewer.setTime(time);
     this.#viewer.setCue(null);
     this.#viewer.setMarks([]);
     this.#showAreas(null);
+    this.#light(null);
   }
 
   #aim({ document, session }: State): void {
@@ -85,6 +89,7 @@ export class Scene {
     const refused = refusedBall(session.refusal?.attempt ?? null, document.shot);
     if (refused) states.set(refused.position, refused.index * STRIDE);
     this.#setBalls(states);
+    this.#viewer.setTime(null);
     this.#setPaths(trace, "ghost");
     this.#viewer.setCue(aims && shot.struck !== null ? pose(shot.strike!, shot.struck) : null);
     this.#viewer.setMarks([
@@ -94,6 +99,14 @@ export class Scene {
         : []),
     ]);
     this.#showAreas(document.game);
+    this.#light(aims ? (session.lock?.pocket ?? null) : null);
+  }
+
+  /** Lights a pocket up. */
+  #light(pocket: string | null): void {
+    if (pocket === this.#lit) return;
+    this.#lit = pocket;
+    this.#viewer.light(pocket === null ? null : { pocket });
   }
 
   /** Marks the areas of a game on the cloth; null removes them. */

@@ -81,7 +81,12 @@ function fromLink(
     const contents = read(engine);
     if (!contents) return null;
     const { document, view, time } = contents;
-    return { document, view, welcome: false, then: (store) => showTime(store, engine, time) };
+    const then = (store: Store) => {
+      // A link may be opened anywhere; what was kept was here before.
+      store.setSession({ sound: read !== readAddress });
+      showTime(store, engine, time);
+    };
+    return { document, view, welcome: false, then };
   } catch (error) {
     if (error instanceof LinkError) return refusing(first, error.message);
     // Our own bug must not leave the user with an empty page.

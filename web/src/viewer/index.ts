@@ -7,6 +7,8 @@ export type {
   BallPath,
   CameraMode,
   CuePose,
+  HitResult,
+  Lit,
   Mark,
   PickResult,
   Quality,

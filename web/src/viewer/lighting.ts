@@ -1,6 +1,6 @@
 /** Ambient light, and a lamp whose slanted shadows show the height of a ball. */
 
-import { DirectionalLight, Group, HemisphereLight, Vector3 } from "three";
+import { Color, DirectionalLight, Group, HemisphereLight, Vector3 } from "three";
 import type { Box } from "./camera/pose";
 import type { Palette } from "./theme";
 
@@ -16,6 +16,14 @@ const DISTANCE = 4;
 /** Side of the shadow map, texels: 2 mm each on a large table. */
 const SHADOW_MAP = 2048;
 
+/** The light as shaders need it: irradiance (linear), and the direction to the lamp. */
+export interface Light {
+  sky: Color;
+  ground: Color;
+  lamp: Color;
+  toLamp: Vector3;
+}
+
 export class Lighting {
   readonly group = new Group();
   readonly #sky = new HemisphereLight(0xffffff, 0x6b675f);
@@ -27,6 +35,8 @@ export class Lighting {
     shadow.radius = 3;
     shadow.normalBias = 0.002;
     shadow.intensity = 0.75;
+    this.#sky.position.set(0, 0, 1);
+    for (const light of [this.#sky, this.#lamp]) light.layers.enableAll();
     this.group.add(this.#sky, this.#lamp, this.#lamp.target);
   }
 
@@ -37,6 +47,16 @@ export class Lighting {
   setPalette({ ambient, lamp }: Palette): void {
     this.#sky.intensity = ambient;
     this.#lamp.intensity = lamp;
+  }
+
+  get light(): Light {
+    const { color, groundColor, intensity } = this.#sky;
+    return {
+      sky: color.clone().multiplyScalar(intensity),
+      ground: groundColor.clone().multiplyScalar(intensity),
+      lamp: this.#lamp.color.clone().multiplyScalar(this.#lamp.intensity),
+      toLamp: DIRECTION.clone().normalize().negate(),
+    };
   }
 
   /** Fits the shadow map to the table. */

@@ -5,20 +5,18 @@ export interface Level {
   /** Most pixels drawn per CSS pixel; never more than the screen has. */
   pixelRatio: number;
   shadows: boolean;
-  /** Detail of balls. */
-  detail: "high" | "low";
 }
 
 /** Levels from the best quality to the fastest. */
 export const LEVELS: readonly Level[] = [
-  { pixelRatio: 2, shadows: true, detail: "high" },
-  { pixelRatio: 1.5, shadows: true, detail: "high" },
-  { pixelRatio: 1, shadows: false, detail: "high" },
-  { pixelRatio: 0.8, shadows: false, detail: "low" },
-  { pixelRatio: 0.66, shadows: false, detail: "low" },
+  { pixelRatio: 2, shadows: true },
+  { pixelRatio: 1.5, shadows: true },
+  { pixelRatio: 1, shadows: false },
+  { pixelRatio: 0.8, shadows: false },
+  { pixelRatio: 0.66, shadows: false },
 ];
 /** Level of a still picture: full quality, whatever the level of moving pictures. */
-export const STILL: Level = { pixelRatio: 2, shadows: true, detail: "high" };
+export const STILL: Level = { pixelRatio: 2, shadows: true };
 /** Index of the first low level; software rendering starts with it. */
 export const LOW = 2;
 

@@ -9,7 +9,12 @@ import { MOTIONS } from "../engine/types";
 export { STRIDE } from "../engine/types";
 export type { BallInfo, Geometry, Point } from "../engine/types";
 
-/** Offsets of a ball's orientation (x, y, z, w) and motion code among its `STRIDE` numbers. */
+/**
+ * Offsets of a ball's velocity, angular velocity, orientation (x, y, z, w) and motion code among its
+ * `STRIDE` numbers.
+ */
+export const VELOCITY = 3;
+export const SPIN = 6;
 export const ORIENTATION = 9;
 export const MOTION = 13;
 
@@ -65,4 +70,20 @@ export interface PickResult {
   ball: number | null;
   /** x, y (m) at the height of the balls' centres; null above the horizon. */
   point: [number, number] | null;
+}
+
+/** What is under a pointer. A ball goes before a pocket, a pocket before a rail. */
+export interface HitResult extends PickResult {
+  /** Name of the pocket, also somewhat beside it, and of the rail; null if there is none. */
+  pocket: string | null;
+  rail: string | null;
+}
+
+/** What is lit: a pocket or a rail by name, a ball by its index. */
+export interface Lit {
+  readonly pocket?: string;
+  readonly rail?: string;
+  readonly ball?: number;
+  /** Whether the light pulses, unless motion is reduced. The table is then drawn all the time. */
+  readonly pulses?: boolean;
 }

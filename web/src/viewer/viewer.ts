@@ -1,20 +1,23 @@
 /** The scene of a shot: table, balls, cue, paths and marks. */
 
-import { Color, PCFShadowMap, Raycaster, Scene, Vector2, Vector3, WebGLRenderer } from "three";
+import { Raycaster, Scene, Vector2, Vector3 } from "three";
 import { Balls } from "./balls";
 import type { Box } from "./camera/pose";
 import { Rig } from "./camera/rig";
-import { room } from "./environment";
 import { Areas } from "./overlay/areas";
 import { Cue } from "./overlay/cue";
+import { Highlight } from "./overlay/highlight";
 import { Fan } from "./overlay/fan";
 import { Lines } from "./overlay/lines";
 import { Marks } from "./overlay/marks";
-import { Lighting, SLANT } from "./lighting";
+import { Paths } from "./overlay/paths";
+import { pocketAt, railAt } from "./pointing";
+import { Lighting } from "./lighting";
 import { Governor, isSoftware, type Level, LEVELS, LOW, STILL } from "./quality";
+import { type Loupe, loupePlace, Stage } from "./render/stage";
 import { Table } from "./table";
 import { reach } from "./table/outline";
-import { palette } from "./theme";
+import { clothColor, palette } from "./theme";
 import {
   type Area,
   type BallInfo,
@@ -22,6 +25,8 @@ import {
   type CameraMode,
   type CuePose,
   type Geometry,
+  type HitResult,
+  type Lit,
   type Mark,
   type PickResult,
   type Point,
@@ -54,17 +59,15 @@ export interface ViewerOptions {
  */
 export class Viewer {
   readonly #canvas: HTMLCanvasElement;
-  readonly #renderer: WebGLRenderer;
-  readonly #software: boolean;
+  readonly #stage: Stage;
   readonly #shadowsAllowed: boolean;
   readonly #scene = new Scene();
   readonly #lighting = new Lighting();
-  readonly #room = room();
   readonly #table = new Table();
-  readonly #balls = new Balls(this.#room, SLANT);
+  readonly #balls = new Balls();
   readonly #rig: Rig;
-  readonly #ghosts = new Lines({ width: 1.8, opacity: 0.62, dash: [0.022, 0.014] });
-  readonly #traces = new Lines({ width: 2.4, opacity: 0.92 });
+  readonly #paths = new Paths();
+  readonly #highlight = new Highlight();
   readonly #aim = new Lines({ width: 1.1, opacity: 0.3 });
   readonly #fan = new Fan();
   readonly #cue = new Cue();
@@ -77,6 +80,9 @@ export class Viewer {
   #infos: readonly BallInfo[] = [];
   #pose: CuePose | null = null;
   #selected: number | null = null;
+  #lit: Lit | null = null;
+  #loupe: Loupe | null = null;
+  readonly #reducedMotion: boolean;
   readonly #onChange: () => void;
   #dirty = true;
   #renderMs = 0;
@@ -94,22 +100,20 @@ export class Viewer {
    */
   constructor(canvas: HTMLCanvasElement, options: ViewerOptions) {
     this.#canvas = canvas;
+    this.#reducedMotion = options.reducedMotion ?? false;
     this.#onChange = options.onChange ?? (() => undefined);
-    this.#software = isSoftware();
-    // Antialiasing is fixed for the life of a context; it is too slow for software rendering.
-    this.#renderer = new WebGLRenderer({ canvas, antialias: !this.#software });
-    this.#renderer.shadowMap.type = PCFShadowMap;
+    this.#stage = new Stage(canvas, this.#scene, isSoftware());
     this.#shadowsAllowed = options.shadows ?? true;
-    this.#rig = new Rig(canvas, options.reducedMotion ?? false, () => this.#invalidate());
-    this.#governor = new Governor(this.#software ? LOW : 0);
+    this.#rig = new Rig(canvas, this.#reducedMotion, () => this.#invalidate());
+    this.#governor = new Governor(this.#stage.software ? LOW : 0);
     this.#scene.add(
       this.#lighting.group,
       this.#table.group,
       this.#areas.group,
       this.#fan.group,
       this.#balls.group,
-      this.#ghosts.object,
-      this.#traces.object,
+      this.#paths.group,
+      this.#highlight.group,
       this.#aim.object,
       this.#cue.mesh,
       this.#marks.group,
@@ -124,7 +128,7 @@ export class Viewer {
 
   /** Whether a call of {@link render} would draw something new. */
   get needsFrame(): boolean {
-    return this.#dirty || this.#rig.flying;
+    return this.#dirty || this.#rig.flying || this.#pulses;
   }
 
   /** `top`, `orbit` (turned by drag, wheel and pinch) or `cue` (behind the cue). */
@@ -164,7 +168,7 @@ export class Viewer {
 
   set quality(quality: Quality) {
     this.#quality = quality;
-    this.#governor = new Governor(this.#software ? LOW : 0);
+    this.#governor = new Governor(this.#stage.software ? LOW : 0);
     this.#applyLevel();
     this.#invalidate();
   }
@@ -179,8 +183,9 @@ export class Viewer {
 
   setTheme(theme: Theme): void {
     const colors = palette(theme);
-    this.#scene.background = new Color(colors.background);
+    this.#stage.background = colors.background;
     this.#lighting.setPalette(colors);
+    this.#balls.setLight(this.#lighting.light);
     this.#table.setPalette(colors);
     this.#invalidate();
   }
@@ -196,7 +201,7 @@ export class Viewer {
       this.#table.setGeometry(geometry, middle(box));
       this.#lighting.fit(box);
       this.#rig.setBox(box);
-      this.#balls.setViewer(this.#rig.side);
+      this.#stage.invalidate();
     }
     this.#ballsMoved();
   }
@@ -214,14 +219,31 @@ export class Viewer {
 
   /** Replaces the drawn paths; each has its ball's colour. */
   setPaths(paths: readonly BallPath[]): void {
-    this.#ghosts.clear();
-    this.#traces.clear();
-    for (const { ball, points, style } of paths) {
-      const lines = style === "ghost" ? this.#ghosts : this.#traces;
-      lines.add(points, 4, this.#balls.looks[ball]?.path ?? "#ffffff");
-    }
-    this.#ghosts.commit();
-    this.#traces.commit();
+    this.#paths.set(paths, this.#balls, this.#cloth);
+    this.#invalidate();
+  }
+
+  /**
+   * Sets the time of a replay, s. Played paths are then trails of the last second, until all balls rest.
+   * Null, and reduced motion, show whole paths.
+   */
+  setTime(time: number | null): void {
+    this.#paths.setTime(this.#reducedMotion ? null : time, this.#balls, this.#cloth);
+    this.#invalidate();
+  }
+
+  /** Lights a pocket, a rail or a ball softly; null puts the light out. */
+  light(lit: Lit | null): void {
+    this.#lit = lit;
+    if (this.#geometry) this.#highlight.set(lit, this.#geometry, this.#balls);
+    this.#invalidate();
+  }
+
+  /** Magnifies the surroundings of a point of the page in a disc beside it; null removes the disc. */
+  loupe(point: { readonly x: number; readonly y: number } | null): void {
+    const area = this.#canvas.getBoundingClientRect();
+    const from = point && ([point.x - area.left, point.y - area.top] as const);
+    this.#loupe = from && { from, at: loupePlace(from, [area.width, area.height]) };
     this.#invalidate();
   }
 
@@ -290,6 +312,16 @@ export class Viewer {
     };
   }
 
+  /** The ball, the pocket or the rail under a point of the page; `pointer` as in {@link Viewer.pick}. */
+  hit(clientX: number, clientY: number, pointer = "mouse"): HitResult {
+    const picked = this.pick(clientX, clientY, pointer);
+    const geometry = this.#geometry;
+    if (!geometry || picked.ball !== null) return { ...picked, pocket: null, rail: null };
+    const pocket = pocketAt([clientX, clientY], geometry, (x, y, z) => this.project(x, y, z));
+    const rail = pocket === null && picked.point ? railAt(picked.point, geometry) : null;
+    return { ...picked, pocket, rail };
+  }
+
   /**
    * Position of a place of the table on the page, px; null if it is behind the camera.
    */
@@ -314,7 +346,7 @@ export class Viewer {
     const still = this.#stillDue;
     this.#stillDue = false;
     this.#govern(still);
-    this.#draw();
+    this.#draw(still || this.#level < LOW);
     this.#renderMs = performance.now() - start;
     this.#awaitStill(still);
   }
@@ -322,7 +354,7 @@ export class Viewer {
   /** The picture as PNG, with shadows and `scale` pixels per CSS pixel. */
   async capture(scale = 2): Promise<Blob> {
     this.#apply({ ...STILL, pixelRatio: scale }, scale);
-    this.#draw();
+    this.#draw(true);
     // In the same task, because the browser clears the canvas after displaying it.
     const encoded = new Promise<Blob | null>((resolve) =>
       this.#canvas.toBlob(resolve, "image/png"),
@@ -340,9 +372,8 @@ export class Viewer {
   resize(): void {
     const { clientWidth: width, clientHeight: height } = this.#canvas;
     if (width === 0 || height === 0) return;
-    this.#renderer.setSize(width, height, false);
+    this.#stage.resize(width, height);
     this.#rig.setAspect(width / height);
-    this.#balls.setViewer(this.#rig.side);
     this.#invalidate();
   }
 
@@ -356,22 +387,34 @@ export class Viewer {
       this.#rig,
       this.#table,
       this.#balls,
-      this.#ghosts,
-      this.#traces,
+      this.#paths,
+      this.#highlight,
       this.#aim,
       this.#areas,
       this.#fan,
       this.#cue,
       this.#marks,
-      this.#room,
       this.#lighting,
+      this.#stage,
     ]) {
       part.dispose();
     }
-    this.#renderer.dispose();
   }
 
-  readonly #restored = (): void => this.#invalidate();
+  readonly #restored = (): void => {
+    this.#stage.invalidate();
+    this.#invalidate();
+  };
+
+  /** Whether a light pulses. */
+  get #pulses(): boolean {
+    return this.#highlight.lit && this.#lit?.pulses === true && !this.#reducedMotion;
+  }
+
+  /** Colour of the cloth, into which trails fade. */
+  get #cloth(): string {
+    return clothColor(this.#geometry?.physics);
+  }
 
   #invalidate(): void {
     this.#dirty = true;
@@ -382,6 +425,7 @@ export class Viewer {
   #ballsMoved(): void {
     this.#placeCue();
     this.#marks.select(this.#selected, this.#balls);
+    if (this.#lit?.ball !== undefined) this.light(this.#lit);
     this.#invalidate();
   }
 
@@ -404,9 +448,14 @@ export class Viewer {
     this.#rig.setAim(center, cue);
   }
 
-  #draw(): void {
+  /** @param fine - Whether software rendering smooths edges. */
+  #draw(fine: boolean): void {
     this.#rig.update(performance.now());
-    this.#renderer.render(this.#scene, this.#rig.camera);
+    const { camera, side, above } = this.#rig;
+    this.#balls.setViewer(side, above);
+    this.#balls.pixels = (this.#stage.height * camera.projectionMatrix.elements[5]) / 2;
+    this.#highlight.pulse(this.#pulses ? performance.now() / 1000 : null);
+    this.#stage.draw(camera, fine, this.#loupe);
   }
 
   /**
@@ -416,7 +465,7 @@ export class Viewer {
   #govern(still: boolean): void {
     const frame = Number(document.timeline.currentTime);
     const changed = this.#governor.frame(frame, frame === this.#nextFrame && !still);
-    if (still) this.#apply(STILL, this.#stillRatio);
+    if (still) this.#apply(STILL, devicePixelRatio);
     else if (this.#wasStill || (changed && this.#quality === "auto")) this.#applyLevel();
     this.#wasStill = still;
     this.#nextFrame = NaN;
@@ -436,11 +485,6 @@ export class Viewer {
     }, STILL_DELAY);
   }
 
-  /** Pixels per CSS pixel in stills. Software rendering has no antialiasing, so it draws more pixels. */
-  get #stillRatio(): number {
-    return this.#software ? STILL.pixelRatio : devicePixelRatio;
-  }
-
   #applyLevel(): void {
     this.#apply(LEVELS[this.#level]!, devicePixelRatio);
   }
@@ -452,12 +496,10 @@ export class Viewer {
 
   #apply(level: Level, screen: number): void {
     const shadows = level.shadows && this.#shadowsAllowed;
-    const ratio = Math.min(level.pixelRatio, screen);
-    if (this.#renderer.getPixelRatio() !== ratio) this.#renderer.setPixelRatio(ratio);
-    this.#renderer.shadowMap.enabled = shadows;
+    this.#stage.setPixelRatio(Math.min(level.pixelRatio, screen));
+    this.#stage.shadows = shadows;
     this.#lighting.shadows = shadows;
     this.#balls.setShadows(shadows);
-    this.#balls.setDetail(level.detail);
   }
 
   /** The box that the cameras show: the table with its rails, or the balls on unbounded cloth. */

@@ -31,6 +31,27 @@ async function replayFromTheSide(page: Page): Promise<void> {
   });
 }
 
+/** A jump over a ball, seen from above: the flight is dotted over its shadow on the cloth. */
+async function jump(page: Page): Promise<void> {
+  await page.evaluate(() => {
+    window.carom!.store.apply(
+      {
+        shot: {
+          format: "carom-shot/1",
+          table: "wpa-9ft",
+          balls: [
+            { id: "cue", position: [0.5, 0.5] },
+            { id: "11", position: [0.5, 0.9] },
+            { id: "4", position: [0.9, 2] },
+          ],
+          strike: { ball: "cue", speed: 5, azimuth_deg: 88, elevation_deg: 45 },
+        },
+      },
+      "jump",
+    );
+  });
+}
+
 async function whatIf(page: Page): Promise<void> {
   await page.getByRole("tab", { name: "What if" }).click();
   await page.getByRole("switch").check();
@@ -43,6 +64,7 @@ async function aim(page: Page): Promise<void> {
 
 for (const [name, viewport, colorScheme, prepare] of [
   ["aiming on a desktop in light", SMALL, "light", aim],
+  ["a jump from above in light", SMALL, "light", jump],
   ["a replay on a desktop in dark", SMALL, "dark", replayFromTheSide],
   ["aiming on a phone in dark", PHONE, "dark", aim],
   ["what if on a phone in light", PHONE, "light", whatIf],

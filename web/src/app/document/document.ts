@@ -66,6 +66,8 @@ export interface Session {
   /** The pot at which the cue is aimed; null if it is aimed freely. */
   readonly lock: PotLock | null;
   readonly refusal: Refusal | null;
+  /** Whether replays sound. */
+  readonly sound: boolean;
   /** Fine adjustment: drags and keys have a tenth of their effect. */
   readonly fine: boolean;
 }
@@ -81,5 +83,6 @@ export const FIRST_SESSION: Session = {
   selected: null,
   lock: null,
   refusal: null,
+  sound: true,
   fine: false,
 };

@@ -129,6 +129,15 @@ export const KEYS: readonly Key[] = [
     },
   },
   {
+    keys: ["m"],
+    shown: ["M"],
+    help: "key.sound",
+    run: ({ store, context }) => {
+      store.setSession({ sound: !store.session.sound });
+      context.announce(t(store.session.sound ? "replay.sound-on" : "replay.sound-off"));
+    },
+  },
+  {
     keys: [" "],
     shown: ["space"],
     help: "key.play",

@@ -1,10 +1,12 @@
 /** The Layout tab: racks, the table, and the position of each ball. */
 
 import type { Context } from "../common/context.ts";
+import { mountPhoto } from "../../photo/index.ts";
 import { look } from "../../viewer/index.ts";
 import { h, svg, uniqueId } from "../common/dom.ts";
 import { mountField } from "../form/field.ts";
 import { addBall, nextId, placeBall, rack, removeBall } from "../document/layout.ts";
+import { photoOptions } from "./photo.ts";
 import { aimAt } from "../document/strike.ts";
 import type { Store } from "../document/store.ts";
 import { mountTable } from "./table.ts";
@@ -17,6 +19,7 @@ const SEEDS = 10_000;
 
 export function mountLayoutPanel(root: HTMLElement, store: Store, context: Context): void {
   mountRacks(root, store, context);
+  mountPhoto(root, photoOptions(store, context));
   mountTable(root, store, context);
   mountBalls(root, store, context);
 }

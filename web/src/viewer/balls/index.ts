@@ -1,22 +1,8 @@
-/** The balls: meshes with their skins, and soft shadows below them. */
+/** The balls: places, orientations and shadows. */
 
-import {
-  BufferGeometry,
-  type Camera,
-  CanvasTexture,
-  type CubeTexture,
-  Group,
-  InstancedMesh,
-  Matrix4,
-  Mesh,
-  MeshBasicMaterial,
-  MeshPhongMaterial,
-  PlaneGeometry,
-  Quaternion,
-  SphereGeometry,
-  Vector3,
-} from "three";
-import { FLOOR, LAYER } from "../table/solid";
+import { type Camera, Group, Matrix4, Quaternion, Vector3 } from "three";
+import type { Light } from "../lighting";
+import { FLOOR } from "../table/solid";
 import { kindOf } from "../theme";
 import {
   type BallInfo,
@@ -25,81 +11,51 @@ import {
   OFF_TABLE,
   ORIENTATION,
   POCKETED,
+  SPIN,
   STRIDE,
+  VELOCITY,
 } from "../types";
 import { type Look, look } from "./look";
-import { skin } from "./skin";
+import { Shadows } from "./shadows";
+import { Spheres } from "./spheres";
 
-/** Height of a skin's texture, pixels. */
-const SKIN = 256;
-/** Segments of a sphere around its equator. */
-const SEGMENTS = { high: 48, low: 24 };
-/** Angle between a ball's number and the vertical, towards the viewer, rad. */
+/** Angle between the number of an unrotated ball and the vertical, towards the viewer, rad. */
 const LEAN = 0.3;
-
 /**
- * Rotation of a skin on a ball whose orientation is the identity. The number faces up, leans towards a
- * viewer in the direction `azimuth` (rad) from the table, and is upright for that viewer.
+ * Speeds of a ball's surface, m/s: from above, the number of a slower ball faces the viewer; a faster
+ * ball shows its true orientation. A ball rolls from the second to the first in about a second.
  */
-function facing(azimuth: number): Quaternion {
-  // Maps the number's normal to up, and the top of its text away from a viewer in the direction +x.
-  const upright = new Matrix4().makeBasis(
-    new Vector3(0, 1, 0),
-    new Vector3(-1, 0, 0),
-    new Vector3(0, 0, 1),
-  );
-  return new Quaternion()
-    .setFromAxisAngle(new Vector3(0, 0, 1), azimuth)
-    .multiply(new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), LEAN))
-    .multiply(new Quaternion().setFromRotationMatrix(upright));
-}
-
-/** Radius of a ball's soft shadow, ball radii, and its darkness. */
-const BLOB = 1.55;
-const DARKNESS = 0.62;
-/** Height of a ball above the cloth at which the area of its shadow has doubled, m. */
-const FADE_HEIGHT = 0.25;
+const CALM = [0.02, 0.15] as const;
 
 /** A ball in the scene. */
 interface Body {
   info: BallInfo;
   look: Look;
-  mesh: Mesh<BufferGeometry, MeshPhongMaterial>;
+  /** Drawn centre, m. */
+  center: Vector3;
+  /** From the ball's axes at time 0 to the table's. */
+  orientation: Quaternion;
+  visible: boolean;
+  /** 1 for a ball at rest with a number, 0 for a fast one. */
+  calm: number;
 }
 
 /** All balls of a shot. */
 export class Balls {
   readonly group = new Group();
-  readonly #environment: CubeTexture;
-  readonly #spheres = {
-    high: sphere(SEGMENTS.high),
-    low: sphere(SEGMENTS.low),
-  };
-  readonly #blobMaterial = new MeshBasicMaterial({
-    map: blob(),
-    transparent: true,
-    depthWrite: false,
-    polygonOffset: true,
-    polygonOffsetFactor: -3,
-  });
-  readonly #plane = new PlaneGeometry(2, 2);
-  #blobs: InstancedMesh | null = null;
+  readonly #spheres = new Spheres();
+  readonly #shadows = new Shadows();
   #bodies: Body[] = [];
-  #detail: "high" | "low" = "high";
-  #viewer = 0;
-  readonly #facing = facing(0);
   #under: (x: number, y: number) => number | null = () => 0;
-  readonly #matrix = new Matrix4();
-  /** Shift of a shadow along x and y, per height of its ball. */
-  readonly #slant: readonly [number, number];
+  /** Orientations of an unrotated ball, and of one whose number faces a viewer above. */
+  readonly #rest = facing(0, LEAN);
+  readonly #upright = facing(0, 0);
+  #viewer = 0;
+  #above = 1;
+  readonly #turn = new Quaternion();
 
-  /**
-   * @param environment - The environment that balls reflect.
-   * @param slant - Shift of a shadow along x and y, per height of its ball.
-   */
-  constructor(environment: CubeTexture, slant: readonly [number, number]) {
-    this.#environment = environment;
-    this.#slant = slant;
+  constructor() {
+    this.group.add(this.#spheres.mesh, this.#shadows.mesh);
   }
 
   /** The looks in the order of the shot. */
@@ -117,72 +73,80 @@ export class Balls {
 
   /** Drawn centre of a ball, m. */
   center(ball: number): Vector3 {
-    return this.#bodies[ball]!.mesh.position;
+    return this.#bodies[ball]!.center;
   }
 
   visible(ball: number): boolean {
-    return this.#bodies[ball]?.mesh.visible ?? false;
+    return this.#bodies[ball]?.visible ?? false;
   }
 
-  /** Replaces the balls; meshes with the same look are reused. */
+  /** Replaces the balls. */
   setBalls(balls: readonly BallInfo[], geometry: Geometry): void {
     const carom = kindOf(geometry.physics) === "carom";
-    const kept = new Map(this.#bodies.map((body) => [key(body.look), body]));
-    const old = new Set(this.#bodies);
-    this.#bodies = balls.map((info, index) => {
-      const appearance = look(info.id, index, carom);
-      const again = kept.get(key(appearance));
-      if (again && old.delete(again)) {
-        again.mesh.scale.setScalar(info.radius);
-        return { ...again, info, look: appearance };
-      }
-      return this.#create(info, appearance);
-    });
-    for (const body of old) this.#remove(body);
+    const before = this.#bodies.map((body) => key(body.look)).join();
+    this.#bodies = balls.map((info, index) => ({
+      info,
+      look: look(info.id, index, carom),
+      center: new Vector3().fromArray(info.position),
+      orientation: new Quaternion(),
+      visible: true,
+      calm: 1,
+    }));
+    const looks = this.looks;
+    if (looks.map(key).join() !== before) this.#spheres.setLooks(looks);
+    const old = this.#shadows.mesh;
+    if (this.#shadows.reserve(balls.length)) this.group.remove(old).add(this.#shadows.mesh);
     this.#under = ground(geometry);
-    if (this.#blobs?.count !== balls.length) this.#makeBlobs(balls.length);
-    this.#bodies.forEach(({ info, mesh }) => {
-      mesh.position.set(...info.position);
-      mesh.quaternion.copy(this.#facing);
-      mesh.visible = true;
-    });
-    this.#placeBlobs();
+    this.#place();
   }
 
   /** Moves all balls: `STRIDE` numbers each. */
   setStates(states: Float64Array): void {
-    for (let i = 0; i < this.#bodies.length; i += 1) {
-      const { mesh, info } = this.#bodies[i]!;
+    this.#bodies.forEach((body, i) => {
       const at = i * STRIDE;
       const motion = states[at + MOTION];
-      mesh.visible = motion !== POCKETED;
-      mesh.position.set(states[at]!, states[at + 1]!, states[at + 2]);
-      if (motion === OFF_TABLE) mesh.position.z = info.radius - FLOOR;
-      const q = at + ORIENTATION;
-      mesh.quaternion.set(states[q]!, states[q + 1]!, states[q + 2]!, states[q + 3]!);
-      mesh.quaternion.multiply(this.#facing);
-    }
-    this.#placeBlobs();
+      body.visible = motion !== POCKETED;
+      body.center.fromArray(states, at);
+      if (motion === OFF_TABLE) body.center.z = body.info.radius - FLOOR;
+      body.orientation.fromArray(states, at + ORIENTATION);
+      const speed = size(states, at + VELOCITY);
+      body.calm = calm(Math.max(speed, body.info.radius * size(states, at + SPIN)));
+    });
+    this.#place();
   }
 
-  /** Turns the numbers of unrotated balls upright for a viewer in the direction `azimuth` (rad). */
-  setViewer(azimuth: number): void {
-    if (azimuth === this.#viewer) return;
+  /**
+   * Turns the numbers upright for a viewer in the direction `azimuth` (rad).
+   *
+   * @param above - 1 if the viewer is above the table, 0 if beside it.
+   */
+  setViewer(azimuth: number, above: number): void {
+    if (azimuth === this.#viewer && above === this.#above) return;
     this.#viewer = azimuth;
-    const undo = this.#facing.clone().invert();
-    this.#facing.copy(facing(azimuth));
-    for (const { mesh } of this.#bodies) mesh.quaternion.multiply(undo).multiply(this.#facing);
+    this.#above = above;
+    this.#rest.copy(facing(azimuth, LEAN));
+    this.#upright.copy(facing(azimuth, 0));
+    this.#place();
   }
 
-  /** With shadow maps the soft shadow is weaker: it only darkens the contact of ball and cloth. */
+  /** With shadow maps the soft shadow is weaker. */
   setShadows(real: boolean): void {
-    this.#blobMaterial.opacity = real ? 0.55 : 1;
-    for (const { mesh } of this.#bodies) mesh.castShadow = real;
+    this.#shadows.mapped = real;
+    this.#spheres.mesh.castShadow = real;
   }
 
-  setDetail(detail: "high" | "low"): void {
-    this.#detail = detail;
-    for (const { mesh } of this.#bodies) mesh.geometry = this.#spheres[detail];
+  setLight(light: Light): void {
+    this.#spheres.setLight(light);
+  }
+
+  /** Pixels per unit of length at distance one from the camera. */
+  set pixels(pixels: number) {
+    this.#spheres.pixels = pixels;
+  }
+
+  /** Height of the surface below a place, m; null over a pocket and beyond the table. */
+  floor(x: number, y: number): number | null {
+    return this.#under(x, y);
   }
 
   /**
@@ -205,11 +169,11 @@ export class Balls {
     const center = new Vector3();
     const edge = new Vector3();
     const right = new Vector3().setFromMatrixColumn(camera.matrixWorld, 0);
-    for (const [ball, { mesh, info }] of this.#bodies.entries()) {
-      if (!mesh.visible) continue;
-      center.copy(mesh.position).project(camera);
+    for (const [ball, body] of this.#bodies.entries()) {
+      if (!body.visible) continue;
+      center.copy(body.center).project(camera);
       if (Math.abs(center.z) > 1) continue;
-      edge.copy(mesh.position).addScaledVector(right, info.radius).project(camera);
+      edge.copy(body.center).addScaledVector(right, body.info.radius).project(camera);
       const radius = Math.max(reach, ((edge.x - center.x) * screen[0]) / 2);
       const distance = Math.hypot(
         ((center.x - x) * screen[0]) / 2,
@@ -224,68 +188,51 @@ export class Balls {
   }
 
   dispose(): void {
-    for (const body of this.#bodies) this.#remove(body);
-    this.#bodies = [];
-    this.#blobs?.dispose();
-    this.#blobMaterial.map?.dispose();
-    this.#blobMaterial.dispose();
-    this.#plane.dispose();
-    this.#spheres.high.dispose();
-    this.#spheres.low.dispose();
+    this.#spheres.dispose();
+    this.#shadows.dispose();
   }
 
-  #create(info: BallInfo, appearance: Look): Body {
-    const material = new MeshPhongMaterial({
-      map: skin(appearance, SKIN),
-      shininess: 140,
-      specular: 0x555555,
-      envMap: this.#environment,
-      reflectivity: 0.16,
+  #place(): void {
+    this.#bodies.forEach((body, i) => {
+      const { center, info, visible } = body;
+      this.#turn.copy(body.orientation).multiply(this.#rest);
+      const upright = body.look.label === "" ? 0 : body.calm * this.#above;
+      if (upright > 0) this.#turn.slerp(this.#upright, upright);
+      if (visible) this.#spheres.place(i, center, info.radius, this.#turn);
+      else this.#spheres.hide(i);
+      const floor = visible ? this.#under(center.x, center.y) : null;
+      this.#shadows.place(i, center, info.radius, floor);
     });
-    const mesh = new Mesh(this.#spheres[this.#detail], material);
-    mesh.scale.setScalar(info.radius);
-    mesh.castShadow = true;
-    this.group.add(mesh);
-    return { info, look: appearance, mesh };
+    this.#spheres.commit();
+    this.#shadows.commit();
   }
+}
 
-  #remove({ mesh }: Body): void {
-    this.group.remove(mesh);
-    mesh.material.map?.dispose();
-    mesh.material.dispose();
-  }
+/**
+ * Orientation of a ball whose number leans by `lean` (rad) from up towards a viewer in the direction
+ * `azimuth` (rad) from the table, and is upright for that viewer.
+ */
+function facing(azimuth: number, lean: number): Quaternion {
+  // Maps the number's normal to up, and the top of its text away from a viewer in the direction +x.
+  const upright = new Matrix4().makeBasis(
+    new Vector3(0, 1, 0),
+    new Vector3(-1, 0, 0),
+    new Vector3(0, 0, 1),
+  );
+  return new Quaternion()
+    .setFromAxisAngle(new Vector3(0, 0, 1), azimuth)
+    .multiply(new Quaternion().setFromAxisAngle(new Vector3(0, 1, 0), lean))
+    .multiply(new Quaternion().setFromRotationMatrix(upright));
+}
 
-  #makeBlobs(count: number): void {
-    if (this.#blobs) {
-      this.group.remove(this.#blobs);
-      this.#blobs.dispose();
-    }
-    this.#blobs = new InstancedMesh(this.#plane, this.#blobMaterial, count);
-    this.#blobs.frustumCulled = false;
-    this.group.add(this.#blobs);
-  }
+/** 1 below the slower speed of `CALM`, 0 above the faster, smooth between. */
+export function calm(speed: number): number {
+  const t = Math.min(1, Math.max(0, (speed - CALM[0]) / (CALM[1] - CALM[0])));
+  return 1 - t * t * (3 - 2 * t);
+}
 
-  #placeBlobs(): void {
-    const blobs = this.#blobs;
-    if (!blobs) return;
-    const [slantX, slantY] = this.#slant;
-    this.#bodies.forEach(({ mesh, info }, i) => {
-      const { x, y, z } = mesh.position;
-      const floor = this.#under(x, y);
-      const height = floor === null ? 0 : z - info.radius - floor;
-      const hidden = !mesh.visible || floor === null || height < -info.radius;
-      // The shadow grows with the height of its ball.
-      const size = hidden ? 0 : BLOB * info.radius * (1 + Math.max(0, height) / FADE_HEIGHT) ** 0.5;
-      this.#matrix.makeScale(size, size, 1);
-      this.#matrix.setPosition(
-        x + slantX * (height + info.radius),
-        y + slantY * (height + info.radius),
-        (floor ?? 0) + LAYER,
-      );
-      blobs.setMatrixAt(i, this.#matrix);
-    });
-    blobs.instanceMatrix.needsUpdate = true;
-  }
+function size(states: Float64Array, at: number): number {
+  return Math.hypot(states[at]!, states[at + 1]!, states[at + 2]!);
 }
 
 /** Height of the surface below a place, m; null over a pocket and beyond the table. */
@@ -305,23 +252,4 @@ export function ground(geometry: Geometry): (x: number, y: number) => number | n
 
 function key(appearance: Look): string {
   return Object.values(appearance).join("|");
-}
-
-function sphere(segments: number): SphereGeometry {
-  return new SphereGeometry(1, segments, segments / 2);
-}
-
-/** A dark disc with a soft edge. */
-function blob(): CanvasTexture {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 64;
-  const context = canvas.getContext("2d")!;
-  const gradient = context.createRadialGradient(32, 32, 0, 32, 32, 32);
-  for (let i = 0; i <= 8; i += 1) {
-    const t = i / 8;
-    gradient.addColorStop(t, `rgba(0, 0, 0, ${DARKNESS * (1 - t * t) ** 1.6})`);
-  }
-  context.fillStyle = gradient;
-  context.fillRect(0, 0, 64, 64);
-  return new CanvasTexture(canvas);
 }

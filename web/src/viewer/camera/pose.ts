@@ -32,11 +32,14 @@ const APRON = 0.12;
 const SHOULDER = 0.37;
 const OVER_CUE = 0.2;
 
-/** From above; the long axis is horizontal or vertical, whichever shows the table larger. */
+/** The table lies only where it is then larger than upright by this factor; on a square it is upright. */
+const LYING = 1.05;
+
+/** From above; the long axis is vertical, unless a wide picture shows a lying table larger. */
 export function top(box: Box, aspect: number): Pose {
   const across = fit(box, { azimuth: 0, polar: 0, fov: TOP_FOV }, aspect);
   const upright = fit(box, { azimuth: -Math.PI / 2, polar: 0, fov: TOP_FOV }, aspect);
-  return across.distance < upright.distance ? across : upright;
+  return LYING * across.distance < upright.distance ? across : upright;
 }
 
 /** From the side, turned a little; on upright screens from the head of the table. */

@@ -9,6 +9,8 @@ import { apply, behind, between, type Box, oblique, type Pose, poseOf, top } fro
 const FLIGHT = 650;
 /** Range of the angle between camera and vertical for the user, rad. */
 const POLAR = [0.02, 1.5] as const;
+/** Cosines of the angle between the view and the vertical: from the side, and from above. */
+const ABOVE = [0.88, 0.98] as const;
 /** Least distance of the camera from its target for the user, m. */
 const NEAREST = 0.25;
 
@@ -65,6 +67,12 @@ export class Rig {
   /** Side of the table at the bottom of the view from above, rad from +x. */
   get side(): number {
     return top(this.#box, this.#aspect).azimuth;
+  }
+
+  /** 1 if the camera looks down on the table, 0 if it looks from the side. */
+  get above(): number {
+    const cosine = this.camera.matrixWorld.elements[10];
+    return Math.min(1, Math.max(0, (cosine - ABOVE[0]) / (ABOVE[1] - ABOVE[0])));
   }
 
   setMode(mode: CameraMode, instant: boolean, now: number): void {

@@ -9,6 +9,7 @@ import {
   MeshBasicMaterial,
   PlaneGeometry,
 } from "three";
+import { DEPTH, STILL } from "../render/layers";
 import { clothColor, type Palette } from "../theme";
 import type { Geometry, Point } from "../types";
 import { markings, sights } from "./fittings";
@@ -31,6 +32,7 @@ export class Table {
     transparent: true,
     depthWrite: false,
   });
+  readonly #depthMaterial = new MeshBasicMaterial({ colorWrite: false });
   #meshes: Mesh[] = [];
 
   /**
@@ -60,6 +62,13 @@ export class Table {
     this.#add(body.wood, materials.wood, { receives: true });
     this.#add(body.frame, materials.frame);
     this.#add(body.pockets, materials.leather);
+    for (const part of [body.cloth, body.cushions, body.wood, body.frame, body.pockets]) {
+      const mesh = new Mesh(part, this.#depthMaterial);
+      mesh.layers.set(DEPTH);
+      mesh.renderOrder = -3;
+      this.#meshes.push(mesh);
+      this.group.add(mesh);
+    }
     this.#add(body.shade, materials.shade);
     const diamonds = sights(geometry);
     if (diamonds) this.#add(diamonds, materials.sights);
@@ -84,6 +93,7 @@ export class Table {
     this.#materials.dispose();
     this.#floorMaterial.map?.dispose();
     this.#floorMaterial.dispose();
+    this.#depthMaterial.dispose();
   }
 
   /**
@@ -99,6 +109,7 @@ export class Table {
     mesh.receiveShadow = receives;
     mesh.castShadow = casts;
     mesh.matrixAutoUpdate = false;
+    mesh.layers.set(STILL);
     mesh.renderOrder = order;
     this.#meshes.push(mesh);
     this.group.add(mesh);

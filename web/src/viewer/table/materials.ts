@@ -64,12 +64,7 @@ export class TableMaterials {
     WOOD_GLSL,
   );
   readonly frame = new MeshLambertMaterial({ vertexColors: true });
-  readonly leather = new MeshPhongMaterial({
-    vertexColors: true,
-    color: 0x242120,
-    shininess: 30,
-    specular: 0x1c1a18,
-  });
+  readonly leather = new MeshLambertMaterial({ vertexColors: true, color: 0x3a322c });
   readonly shade = new MeshLambertMaterial({
     vertexColors: true,
     transparent: true,

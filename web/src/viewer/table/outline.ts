@@ -36,8 +36,13 @@ interface Part extends Run {
 export const JOIN = 1e-6;
 /** Largest angle between the chords of an arc, rad. */
 const CHORD_ANGLE = Math.PI / 20;
-/** Width of the wood behind a pocket, m. */
-const BEHIND_POCKET = 0.014;
+/** Width of the wood behind a pocket, m: it carries the leather. */
+const BEHIND_POCKET = 0.02;
+/**
+ * Radius of the rounded corners of a pocket's wall, m. It is less than the radius of every ball, so that no
+ * ball reaches into a rounded corner.
+ */
+const CORNER_RADIUS = 0.024;
 
 /**
  * The ground plan of a table with rails.
@@ -47,7 +52,9 @@ const BEHIND_POCKET = 0.014;
 export function outline(geometry: Geometry): Outline {
   const { size, cushion_width: cushion = 0, rail_width: rail = 0 } = geometry;
   if (!size) throw new Error("Unbounded cloth has no outline; draw a table with rails.");
-  const runs = merge(chain(geometry));
+  const runs = merge(chain(geometry)).map((run) =>
+    run.material === "liner" ? { ...run, points: rounded(run.points, CORNER_RADIUS) } : run,
+  );
   const woodInside: Point[] = [];
   const rubbers: Point[][] = [];
   for (const { material, points } of runs) {
@@ -87,6 +94,46 @@ export function arc(center: Point, start: Point, end: Point, via?: number): Poin
   points[0] = start;
   points[count] = end;
   return points;
+}
+
+/**
+ * An open line whose corners are arcs of the given radius (m), or of a smaller one where its parts are too
+ * short. The ends stay.
+ */
+export function rounded(line: readonly Point[], radius: number): Point[] {
+  const points = simplified(line);
+  return points.flatMap((corner, i): Point[] => {
+    const [before, after] = [points[i - 1], points[i + 1]];
+    if (!before || !after) return [corner];
+    const [a, b] = [distance(before, corner), distance(corner, after)];
+    const [ux, uy] = [(before[0] - corner[0]) / a, (before[1] - corner[1]) / a];
+    const [vx, vy] = [(after[0] - corner[0]) / b, (after[1] - corner[1]) / b];
+    const half = Math.acos(Math.min(1, Math.max(-1, ux * vx + uy * vy))) / 2;
+    const length = Math.min(radius / Math.tan(half), 0.49 * a, 0.49 * b);
+    if (Math.PI / 2 - half < CHORD_ANGLE / 2 + JOIN) return [corner];
+    const along = length / Math.cos(half) ** 2;
+    const center: Point = [
+      corner[0] + (along * (ux + vx)) / 2,
+      corner[1] + (along * (uy + vy)) / 2,
+    ];
+    return arc(
+      center,
+      [corner[0] + length * ux, corner[1] + length * uy],
+      [corner[0] + length * vx, corner[1] + length * vy],
+    );
+  });
+}
+
+/** A line without the inner points of straight parts. */
+function simplified(line: readonly Point[]): Point[] {
+  return line.filter((point, i) => {
+    const [before, after] = [line[i - 1], line[i + 1]];
+    if (!before || !after) return true;
+    const cross =
+      (point[0] - before[0]) * (after[1] - point[1]) -
+      (point[1] - before[1]) * (after[0] - point[0]);
+    return Math.abs(cross) > JOIN * distance(before, after);
+  });
 }
 
 /** Area of a polygon, m²; positive if it is counter-clockwise. */
@@ -218,7 +265,7 @@ function merge(parts: readonly Run[]): Run[] {
 }
 
 /** The point at the back of the cushion behind an end of its nose line. */
-function behind(point: Point, [width, length]: Point, cushion: number): Point {
+export function behind(point: Point, [width, length]: Point, cushion: number): Point {
   const [x, y] = point;
   const depths = [-x, x - width, -y, y - length];
   const deepest = Math.max(...depths);

@@ -2,7 +2,7 @@
 
 import type { BufferGeometry } from "three";
 import type { Geometry, Point } from "../types";
-import { beyond, JOIN, type Outline } from "./outline";
+import { behind, type Outline } from "./outline";
 import { offset, raised, ring, roundedRectangle, Surface, type Line, type Shade } from "./surface";
 
 /** Distance of a cushion's foot behind its nose, m; the rubber is a wedge. */
@@ -11,14 +11,26 @@ const RECESS = 0.014;
 const NOSE = 0.006;
 /** Width of the shade on the cloth at the foot of a cushion, m. */
 const FOOT_SHADE = 0.045;
-/** Brightness of the cloth on cushions, relative to the bed. */
-const CUSHION_TOP = 1.1;
+/**
+ * The top of a cushion from the nose to the wood: share of its width, and brightness relative to the bed.
+ * The nose catches the light, so that it is visible against the bed; a groove parts cloth and wood.
+ */
+const CUSHION_TOP = [
+  [0, 1.5],
+  [0.1, 1.42],
+  [0.2, 1.14],
+  [0.72, 1.04],
+  [0.93, 0.84],
+  [1, 0.42],
+] as const;
 /** Depth of the pockets, and of the cloth that is folded into them, m. */
 const HOLE_DEPTH = 0.14;
 const FOLD = 0.012;
+/** Radius of a pocket's floor as a share of the mouth's: the wall narrows, so that it is seen from above. */
+const HOLE_FLOOR = 0.6;
 /** Width and height of the leather around a pocket, m. */
-const RIM_WIDTH = 0.011;
-const RIM_HEIGHT = 0.0035;
+const RIM_WIDTH = 0.016;
+const RIM_HEIGHT = 0.004;
 /** Rounding of the outer edge of the wood, and depth of the rail, m. */
 const WOOD_EDGE = 0.016;
 const RAIL_DEPTH = 0.05;
@@ -54,25 +66,33 @@ export function solid(geometry: Geometry, plan: Outline): Solid {
   const bed = open(roundedRectangle(size, plan.reach - 0.01, CORNER * plan.reach));
   const cloth = new Surface().fill(bed, holes.map(open), 0);
   const wells = new Surface();
-  for (const hole of holes) {
-    cloth.bands([raised(hole, 0), raised(hole, -FOLD)], [0.7, 0.3]);
-    wells.bands([raised(hole, -FOLD), raised(hole, -HOLE_DEPTH)], [0.5, 0.1]);
-    wells.fill(open(hole), [], -HOLE_DEPTH, 0.1);
-  }
+  pockets.forEach(({ center, radius }, i) => {
+    const at = (share: number, z: number): Line => raised(ring(center, share * radius), z);
+    const edge = raised(holes[i]!, 0);
+    cloth.bands([edge, at(0.97, -0.4 * FOLD), at(0.95, -FOLD)], [0.85, 0.5, 0.22]);
+    wells.bands(
+      [at(0.95, -FOLD), at(0.86, -0.3 * HOLE_DEPTH), at(HOLE_FLOOR, -HOLE_DEPTH)],
+      [0.75, 0.4, 0.06],
+    );
+    wells.fill(open(ring(center, HOLE_FLOOR * radius)), [], -HOLE_DEPTH, 0.04);
+  });
   const cushions = new Surface();
   const shade = new Surface();
-  for (const rubber of plan.rubbers) cushions.fill(rubber, [], height, CUSHION_TOP);
   for (const run of plan.runs) {
     if (run.material === "liner") {
       wall(wells, run.points, height);
       continue;
     }
+    const rows = CUSHION_TOP.map(([share]) =>
+      raised(inset(run.points, size, width, share), height),
+    );
+    cushions.bands(rows.toReversed(), CUSHION_TOP.map(([, shade]) => shade).toReversed());
     const foot = shifted(run.points, size, width, RECESS);
     cushions.bands(
       [raised(run.points, height), raised(run.points, height - NOSE), raised(foot, 0)],
-      [1, 0.86, 0.5],
+      [1.25, 0.8, 0.35],
     );
-    footShade(shade, run.points, size, width);
+    footShade(shade, run.points);
   }
   return {
     cloth: cloth.geometry(),
@@ -84,22 +104,37 @@ export function solid(geometry: Geometry, plan: Outline): Solid {
   };
 }
 
-/** The shade along a cushion's nose, fading on the cloth, with mitred ends. */
-function footShade(surface: Surface, line: readonly Point[], size: Point, width: number): void {
-  const nose = line.filter((point) => Math.abs(beyond(point, size)) < JOIN);
-  const [a, b] = [nose[0]!, nose.at(-1)!];
-  const length = Math.hypot(b[0] - a[0], b[1] - a[1]);
-  const rows = [RECESS, 0, -0.4 * FOOT_SHADE, -FOOT_SHADE].map((distance) => {
-    const mitre = Math.max(0, -distance / length);
-    const ends = [mitre, 1 - mitre].map((t): Point => [
-      a[0] + t * (b[0] - a[0]),
-      a[1] + t * (b[1] - a[1]),
-    ]);
-    return raised(shifted(ends, size, width, distance), LAYER);
+/** The line from a cushion's nose to the wood, at a share of the width in between. */
+function inset(line: readonly Point[], size: Point, width: number, share: number): Point[] {
+  const last = line.length - 1;
+  const alongX = Math.abs(line[last]![0] - line[0]![0]) > Math.abs(line[last]![1] - line[0]![1]);
+  return line.map((point, i): Point => {
+    const back = behind(point, size, width);
+    // Only the ends of a rail without a pocket are mitred.
+    const middle: Point = alongX ? [point[0], back[1]] : [back[0], point[1]];
+    const [x, y] = i === 0 || i === last ? back : middle;
+    return [point[0] + share * (x - point[0]), point[1] + share * (y - point[1])];
+  });
+}
+
+/** The shade along a cushion, fading on the cloth. At a corner without a pocket the shades meet. */
+function footShade(surface: Surface, line: readonly Point[]): void {
+  const rows = [-0.2 * FOOT_SHADE, 0, 0.35 * FOOT_SHADE, FOOT_SHADE].map((distance) => {
+    const moved = offset(line, -distance);
+    const [first, last] = [0, line.length - 1];
+    if (line.length === 2 && distance > 0) {
+      const length = Math.hypot(line[1]![0] - line[0]![0], line[1]![1] - line[0]![1]);
+      const t = distance / length;
+      const [a, b] = [moved[first]!, moved[last]!];
+      const [dx, dy] = [t * (b[0] - a[0]), t * (b[1] - a[1])];
+      moved[first] = [a[0] + dx, a[1] + dy];
+      moved[last] = [b[0] - dx, b[1] - dy];
+    }
+    return raised(moved, LAYER);
   });
   surface.bands(
     rows,
-    [0.6, 0.36, 0.12, 0].map((opacity): Shade => [0, opacity]),
+    [0.66, 0.55, 0.2, 0].map((opacity): Shade => [0, opacity]),
   );
 }
 
@@ -112,12 +147,13 @@ function wall(surface: Surface, points: readonly Point[], height: number): void 
     const angle = (Math.PI * i) / steps;
     const out = 0.5 * RIM_WIDTH * (1 + Math.cos(angle));
     lines.push(raised(offset(points, out), height + RIM_HEIGHT * Math.sin(angle)));
-    shades.push(1);
+    // The top of the leather catches the light.
+    shades.push(0.9 + 1.1 * Math.sin(angle));
   }
   // In front of the wall of the hole in the slate.
   const inner = offset(points, -LAYER);
   lines.push(raised(inner, 0), raised(inner, -HOLE_DEPTH));
-  shades.push(0.45, 0.1);
+  shades.push(0.5, 0.08);
   surface.bands(lines, shades);
 }
 

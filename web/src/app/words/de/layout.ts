@@ -34,6 +34,7 @@ export const layout: Translation<typeof en.layout> = {
   "change.move": "{ball} verschieben",
   "change.rack": "Aufbau: {game}",
   "change.table": "Tisch wechseln",
+  "change.photo": "Lage aus einem Foto",
   "change.parameter": "{name} ändern",
   "change.physics": "Physik wechseln",
 };

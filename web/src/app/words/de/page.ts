@@ -97,6 +97,7 @@ export const page: Translation<typeof en.page> = {
   "key.pot":
     "Gewählte Kugel auf eine Tasche zielen; noch einmal: auf die nächste, mit Umschalt auf die vorige",
   "key.fine": "Feineinstellung ein oder aus: Ziehen und Tasten wirken ein Zehntel so stark",
+  "key.sound": "Ton der Wiederholung ein oder aus",
   "key.play": "Wiederholung abspielen oder anhalten",
   "key.events": "In der Wiederholung: zum vorigen oder nächsten Ereignis",
   "key.take": "Von hier weiterspielen: Die Endlage wird die neue Lage",

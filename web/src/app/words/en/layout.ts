@@ -30,6 +30,7 @@ export const layout = {
   "change.move": "move {ball}",
   "change.rack": "rack {game}",
   "change.table": "change the table",
+  "change.photo": "layout from a photo",
   "change.parameter": "change {name}",
   "change.physics": "change the physics",
 } as const;

@@ -92,6 +92,7 @@ export const page = {
   "key.pot":
     "Aim the selected ball at a pocket; again: at the next pocket, with Shift the previous one",
   "key.fine": "Fine adjustment on or off: drags and keys have a tenth of their effect",
+  "key.sound": "Sound of the replay on or off",
   "key.play": "Play or pause the replay",
   "key.events": "In a replay: go to the previous or next event",
   "key.take": "Take it from here: the final positions become the new layout",

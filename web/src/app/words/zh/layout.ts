@@ -32,6 +32,7 @@ export const layout: Translation<typeof en.layout> = {
   "change.move": "移动{ball}",
   "change.rack": "摆球：{game}",
   "change.table": "更换球台",
+  "change.photo": "从照片得到布局",
   "change.parameter": "改变{name}",
   "change.physics": "更换物理参数",
 };

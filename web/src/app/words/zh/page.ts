@@ -83,6 +83,7 @@ export const page: Translation<typeof en.page> = {
   "key.no-ball": "还没有选球：请按 N 选择一颗。",
   "key.pot": "把所选球瞄向一个球袋；再按：下一个球袋，按住 Shift 为上一个",
   "key.fine": "打开或关闭微调：拖动和按键的效果为十分之一",
+  "key.sound": "打开或关闭回放的声音",
   "key.play": "播放或暂停回放",
   "key.events": "回放时：到上一个或下一个事件",
   "key.take": "从这里继续：最后的位置成为新的布局",

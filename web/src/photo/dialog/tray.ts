@@ -1,0 +1,82 @@
+/** The balls that can be placed, as buttons. */
+
+import { look } from "../../viewer/index.ts";
+import { ballText, fill, TEXTS } from "../texts.ts";
+import { drawing, element } from "./element.ts";
+
+export class Tray {
+  readonly root: HTMLElement;
+  readonly #choose: (id: string) => void;
+  #ids: readonly string[] = [];
+
+  constructor(choose: (id: string) => void) {
+    this.#choose = choose;
+    this.root = element("div", {
+      class: "balls photo-tray",
+      role: "radiogroup",
+      "aria-label": TEXTS.tray,
+    });
+    this.root.addEventListener("keydown", (event) => this.#onKey(event));
+  }
+
+  /** @param chosen - The ball that the next tap places, or that is selected. */
+  show(ids: readonly string[], placed: ReadonlySet<string>, chosen: string | null): void {
+    this.#ids = ids;
+    const focused = this.root.contains(document.activeElement);
+    this.root.replaceChildren(
+      ...ids.map((id, index) => {
+        const isPlaced = placed.has(id);
+        const made = element(
+          "button",
+          {
+            type: "button",
+            class: "button chip",
+            role: "radio",
+            "aria-checked": String(id === chosen),
+            "aria-label": isPlaced ? fill(TEXTS.placed, { ball: ballText(id) }) : ballText(id),
+            "data-placed": isPlaced,
+            tabindex: id === (chosen ?? ids[0]) ? 0 : -1,
+          },
+          swatch(id, index),
+          short(id),
+        );
+        made.addEventListener("click", () => {
+          this.#choose(id);
+        });
+        return made;
+      }),
+    );
+    const current = this.root.querySelector<HTMLElement>('[tabindex="0"]');
+    if (focused) current?.focus();
+    // The page itself must not scroll.
+    if (current) this.root.scrollLeft = current.offsetLeft - this.root.clientWidth / 2;
+  }
+
+  #onKey(event: KeyboardEvent): void {
+    const step = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 }[event.key];
+    if (step === undefined) return;
+    const chosen = this.root.querySelector('[tabindex="0"]');
+    const at = [...this.root.children].indexOf(chosen!);
+    const count = this.#ids.length;
+    const id = this.#ids[(at + step + count) % count];
+    if (id !== undefined) this.#choose(id);
+    event.preventDefault();
+  }
+}
+
+/** A ball's number, or the first letters of its name and its number. */
+function short(id: string): string {
+  return id.replace(/^([a-z]{3})[a-z]*-?/, "$1 ").trim();
+}
+
+function swatch(id: string, index: number): SVGSVGElement {
+  const { body, striped } = look(id, index);
+  const svg = drawing("svg", { viewBox: "0 0 16 16", "aria-hidden": "true" });
+  svg.append(drawing("circle", { cx: 8, cy: 8, r: 7, fill: striped ? "#f6f1e3" : body }));
+  if (striped) {
+    const d = "M1.9 4.6h12.2a7 7 0 0 1 0 6.8H1.9a7 7 0 0 1 0-6.8";
+    svg.append(drawing("path", { d, fill: body }));
+  }
+  svg.append(drawing("circle", { cx: 8, cy: 8, r: 7, class: "rim" }));
+  return svg;
+}

@@ -1,0 +1,33 @@
+/** How clearly an outline stands out in a photo. */
+
+import type { Point } from "../../engine/index.ts";
+import { meanRadius, type OutlinePoint } from "./outline.ts";
+import { sample, type Pixels } from "./pixels.ts";
+
+/** Half the width over which an edge is measured, in radii and at least in pixels. */
+const EDGE = 0.1;
+const LEAST_EDGE = 1;
+/** A stronger contrast counts as this one (of 255): lamps and rails may not outweigh the outline. */
+const STRONGEST = 120;
+/** Points below this share of the radius border the ball's shadow on the cloth, and count less. */
+const SHADE = -0.5;
+const SHADED = 0.4;
+
+/** Weighted mean contrast across the outline of a ball at `center`, of 255. */
+export function contrast(pixels: Pixels, points: readonly OutlinePoint[], center: Point): number {
+  const edge = Math.max(LEAST_EDGE, EDGE * meanRadius(points));
+  let [sum, total] = [0, 0];
+  for (const { offset, normal, height } of points) {
+    const [x, y] = [center[0] + offset[0], center[1] + offset[1]];
+    const weight = height < SHADE ? SHADED : 1;
+    total += weight;
+    const inside = sample(pixels, x - edge * normal[0], y - edge * normal[1], INNER);
+    if (!inside || !sample(pixels, x + edge * normal[0], y + edge * normal[1], OUTER)) continue;
+    const [r, g, b] = [0, 1, 2].map((c) => OUTER[c]! - INNER[c]!) as [number, number, number];
+    sum += weight * Math.min(STRONGEST, Math.hypot(r, g, b));
+  }
+  return sum / total;
+}
+
+const INNER = new Float64Array(3);
+const OUTER = new Float64Array(3);

@@ -1,0 +1,184 @@
+/**
+ * Draws the scene at a level of quality. With software rendering the table is drawn once while the camera
+ * rests; every picture is then a copy of it with the moving parts on top.
+ */
+
+import {
+  type Camera,
+  LinearFilter,
+  Matrix4,
+  PCFShadowMap,
+  type PerspectiveCamera,
+  type Scene,
+  Vector2,
+  WebGLRenderer,
+} from "three";
+import { DEPTH, MOVING, STILL } from "./layers";
+import { Copier, Picture } from "./picture";
+
+/** Magnification and diameter (CSS pixels) of the loupe, and its border as a share of the radius. */
+export const ZOOM = 2.5;
+export const LOUPE = 132;
+const BORDER = 0.035;
+
+/** The circle of a loupe, CSS pixels from the upper left corner of the canvas. */
+export interface Loupe {
+  /** Centre of the part that is magnified. */
+  readonly from: readonly [x: number, y: number];
+  /** Centre of the circle. */
+  readonly at: readonly [x: number, y: number];
+}
+
+/**
+ * Where the loupe for a finger is: above it, or beside it at the upper edge; inside the canvas.
+ *
+ * @param size - Width and height of the canvas, CSS pixels.
+ */
+export function loupePlace(
+  [x, y]: readonly [number, number],
+  [width, height]: readonly [number, number],
+): [x: number, y: number] {
+  const radius = LOUPE / 2;
+  const away = 1.35 * LOUPE;
+  const inside = (at: number, end: number): number => Math.max(radius, Math.min(end - radius, at));
+  if (y - away >= radius) return [inside(x, width), inside(y - away, height)];
+  // Beside the finger, on the side with more room.
+  return [inside(x + (x < width / 2 ? away : -away), width), inside(y, height)];
+}
+
+export class Stage {
+  readonly software: boolean;
+  readonly renderer: WebGLRenderer;
+  readonly #scene: Scene;
+  readonly #copier = new Copier();
+  /** The table without moving parts, a whole picture with smooth edges, and the loupe's. */
+  readonly #table = new Picture(true);
+  readonly #smooth = new Picture(true);
+  readonly #loupe = new Picture(true, LinearFilter);
+  /** The camera of the last picture, and whether `#table` shows what it sees. */
+  readonly #view = new Matrix4();
+  readonly #last = new Matrix4();
+  #fresh = false;
+  readonly #size = new Vector2();
+
+  constructor(canvas: HTMLCanvasElement, scene: Scene, software: boolean) {
+    this.software = software;
+    this.#scene = scene;
+    // Antialiasing is fixed for the life of a context; it is too slow for software rendering.
+    this.renderer = new WebGLRenderer({ canvas, antialias: !software });
+    this.renderer.shadowMap.type = PCFShadowMap;
+    this.renderer.autoClear = false;
+  }
+
+  /** Call it when the table, the light or the background has changed. */
+  invalidate(): void {
+    this.#fresh = false;
+  }
+
+  set shadows(drawn: boolean) {
+    this.renderer.shadowMap.enabled = drawn;
+  }
+
+  set background(color: string) {
+    this.renderer.setClearColor(color);
+    this.#fresh = false;
+  }
+
+  setPixelRatio(ratio: number): void {
+    if (this.renderer.getPixelRatio() === ratio) return;
+    this.renderer.setPixelRatio(ratio);
+    this.#fresh = false;
+  }
+
+  resize(width: number, height: number): void {
+    this.renderer.setSize(width, height, false);
+    this.#fresh = false;
+  }
+
+  /** Height of the canvas, device pixels. */
+  get height(): number {
+    return this.renderer.getDrawingBufferSize(this.#size).y;
+  }
+
+  /**
+   * Draws a picture.
+   *
+   * @param fine - Whether software rendering smooths the edges of everything.
+   */
+  draw(camera: PerspectiveCamera, fine: boolean, loupe: Loupe | null): void {
+    const { renderer } = this;
+    renderer.setRenderTarget(null);
+    if (!this.software) this.#whole(camera);
+    else if (fine) this.#finely(camera);
+    else this.#quickly(camera);
+    if (loupe) this.#magnify(camera, loupe);
+  }
+
+  dispose(): void {
+    this.#copier.dispose();
+    for (const picture of [this.#table, this.#smooth, this.#loupe]) picture.dispose();
+    this.renderer.dispose();
+  }
+
+  #whole(camera: Camera): void {
+    camera.layers.set(STILL);
+    camera.layers.enable(MOVING);
+    this.renderer.clear();
+    this.renderer.render(this.#scene, camera);
+  }
+
+  #finely(camera: Camera): void {
+    this.#into(this.#smooth, () => this.#whole(camera));
+    this.#copier.copy(this.renderer, this.#smooth);
+  }
+
+  #quickly(camera: Camera): void {
+    this.#view.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
+    const still = this.#view.equals(this.#last);
+    this.#last.copy(this.#view);
+    // While the camera moves, the table's picture could be used only once.
+    if (!still) {
+      this.#fresh = false;
+      this.#whole(camera);
+      return;
+    }
+    if (!this.#fresh) {
+      camera.layers.set(STILL);
+      this.#into(this.#table, () => {
+        this.renderer.clear();
+        this.renderer.render(this.#scene, camera);
+      });
+      this.#fresh = true;
+    }
+    this.renderer.clearDepth();
+    this.#copier.copy(this.renderer, this.#table);
+    camera.layers.set(DEPTH);
+    camera.layers.enable(MOVING);
+    this.renderer.render(this.#scene, camera);
+  }
+
+  #into(picture: Picture, draw: () => void): void {
+    this.renderer.getDrawingBufferSize(this.#size);
+    if (picture.width !== this.#size.x || picture.height !== this.#size.y)
+      picture.setSize(this.#size.x, this.#size.y);
+    this.renderer.setRenderTarget(picture);
+    draw();
+    this.renderer.setRenderTarget(null);
+  }
+
+  #magnify(camera: PerspectiveCamera, { from, at }: Loupe): void {
+    const { renderer } = this;
+    const { x: width, y: height } = renderer.getSize(this.#size);
+    const side = Math.round(LOUPE * renderer.getPixelRatio());
+    if (this.#loupe.width !== side) this.#loupe.setSize(side, side);
+    const seen = LOUPE / ZOOM;
+    camera.setViewOffset(width, height, from[0] - seen / 2, from[1] - seen / 2, seen, seen);
+    renderer.setRenderTarget(this.#loupe);
+    this.#whole(camera);
+    renderer.setRenderTarget(null);
+    camera.clearViewOffset();
+    renderer.setViewport(at[0] - LOUPE / 2, height - at[1] - LOUPE / 2, LOUPE, LOUPE);
+    this.#copier.disc(renderer, this.#loupe, BORDER);
+    renderer.setViewport(0, 0, width, height);
+  }
+}

@@ -1,0 +1,183 @@
+/** Nine balls from a rendered photo, at the sizes of a phone and of a desktop. */
+
+import type { Locator, Page } from "playwright-core";
+import { load, type Point } from "../../src/engine/index.ts";
+import { project } from "../../src/photo/geometry/camera.ts";
+import { landmarks } from "../../src/photo/geometry/landmarks.ts";
+import { png } from "../photo/png.ts";
+import { generator } from "../photo/random.ts";
+import { lit, render } from "../photo/render.ts";
+import { lookAt, randomLayout } from "../photo/views.ts";
+import { violations } from "./axe.ts";
+import { expect, PHONE, shotOf, test } from "./fixture.ts";
+
+const WIDE = { width: 1280, height: 800 };
+const SIZE = [1200, 900] as const;
+const RADIUS = 0.028575;
+/** Standard deviation of a tap, pixels of the photo. */
+const NOISE = 1.5;
+const MOST_GESTURES = 25;
+/** Largest median error of the balls, m. */
+const LARGEST_ERROR = 0.008;
+
+const engine = await load();
+const random = generator(20);
+const table = engine.tables.find(({ name }) => name === "wpa-9ft")!;
+const marks = landmarks(table)!;
+const camera = lookAt({
+  eye: [0.5, -1.15, 1.25],
+  target: [0.635, 0.95, 0],
+  roll: 0.02,
+  lens: { focal: 860, k1: -0.06, center: [SIZE[0] / 2, SIZE[1] / 2] },
+});
+const balls = randomLayout(random, marks.size, 9, RADIUS).map((position, k) => ({
+  id: k === 0 ? "cue" : String(k),
+  position,
+}));
+const scene = lit(random, { table, balls, radius: RADIUS, camera });
+const photo = png(render(scene, { left: 0, top: 0, width: SIZE[0], height: SIZE[1] }, random));
+
+async function openDialog(page: Page): Promise<Locator> {
+  await page.getByRole("tab", { name: "Layout" }).click();
+  await page.getByRole("button", { name: "Layout from a photo" }).click();
+  return page.getByRole("dialog", { name: "Layout from a photo" });
+}
+
+async function choosePhoto(dialog: Locator, name = "table.png", buffer = photo): Promise<void> {
+  const mimeType = "image/png";
+  await dialog.locator("input[type=file]").setInputFiles({ name, mimeType, buffer });
+}
+
+/** Places on the page (CSS pixels) of pixels of the photo, with the noise of a hand. */
+async function places(dialog: Locator, pixels: readonly Point[]): Promise<Point[]> {
+  const box = (await dialog.locator("canvas").first().boundingBox())!;
+  const scale = Math.min(box.width / SIZE[0], box.height / SIZE[1]);
+  const shift = (length: number, side: number) => (length - scale * side) / 2;
+  return pixels.map(([x, y]) => [
+    box.x + shift(box.width, SIZE[0]) + scale * (x + random.gaussian(NOISE)),
+    box.y + shift(box.height, SIZE[1]) + scale * (y + random.gaussian(NOISE)),
+  ]);
+}
+
+for (const [name, viewport] of [
+  ["phone", PHONE],
+  ["desktop", WIDE],
+] as const) {
+  test(`nine balls take at most ${MOST_GESTURES} gestures on a ${name}`, async ({ open }) => {
+    const page = await open({ viewport, hasTouch: name === "phone" });
+    const requests: string[] = [];
+    page.on("request", (request) => requests.push(request.url()));
+    const dialog = await openDialog(page);
+    let gestures = 1;
+    await choosePhoto(dialog);
+    await dialog.getByText("0 of 6").waitFor();
+    const tapAll = async (pixels: readonly Point[]) => {
+      for (const pixel of pixels) {
+        const [[x, y]] = (await places(dialog, [pixel])) as [Point];
+        if (name === "phone") await page.touchscreen.tap(x, y);
+        else await page.mouse.click(x, y);
+        gestures += 1;
+      }
+    };
+    await tapAll(marks.places.map((place) => project(camera, place)!));
+    await dialog.getByText("Tap the middle of the cue ball").waitFor();
+    await tapAll(balls.map(({ position }) => project(camera, [...position, RADIUS])!));
+    await dialog.getByRole("img", { name: "The layout so far. Number of balls: 9" }).waitFor();
+    await dialog.getByRole("button", { name: "Use this layout" }).click();
+    gestures += 1;
+    expect(gestures).toBeLessThanOrEqual(MOST_GESTURES);
+    const shot = await shotOf(page);
+    expect(shot.balls.map(({ id }) => id)).toEqual(balls.map(({ id }) => id));
+    const errors = shot.balls.map(({ position: [x, y] }, k) => {
+      const [u, v] = balls[k]!.position;
+      return Math.hypot(x - u, y - v);
+    });
+    expect(errors.sort((a, b) => a - b)[4]).toBeLessThan(LARGEST_ERROR);
+    expect(requests.filter((url) => !/^(blob|data):/.test(url))).toEqual([]);
+  });
+}
+
+test("a file that is not a photo is refused with a sentence, and the work is kept", async ({
+  open,
+}) => {
+  const page = await open({ viewport: PHONE });
+  const dialog = await openDialog(page);
+  await choosePhoto(dialog, "notes.png", Buffer.from("no photo"));
+  await dialog.getByText("notes.png is not a photo that this browser can show").waitFor();
+  await choosePhoto(dialog);
+  await dialog.getByText("0 of 6").waitFor();
+  const [[x, y]] = (await places(dialog, [[600, 450]])) as [Point];
+  await page.mouse.click(x, y);
+  await dialog.getByText("1 of 6").waitFor();
+  await choosePhoto(dialog, "damaged.png", photo.subarray(0, 3000));
+  await dialog.getByText("damaged.png is not a photo that this browser can show").waitFor();
+  expect(await dialog.getByText("1 of 6").count()).toBe(1);
+  await dialog.getByRole("button", { name: "Close" }).click();
+  await page.getByRole("button", { name: "Layout from a photo" }).click();
+  expect(await dialog.getByText("1 of 6").count()).toBe(1);
+});
+
+test("points that are not the table's are reported", async ({ open }) => {
+  const page = await open({ viewport: WIDE });
+  const dialog = await openDialog(page);
+  await choosePhoto(dialog);
+  await dialog.getByText("0 of 6").waitFor();
+  const pixels = marks.places.map((place) => project(camera, place)!);
+  // The third landmark is a side pocket: the tap is far from it.
+  pixels[2] = [pixels[2]![0] + 60, pixels[2]![1] - 40];
+  for (const [x, y] of await places(dialog, pixels)) await page.mouse.click(x, y);
+  await dialog.getByText(/points do not look like this table|No table looks like/).waitFor();
+});
+
+test("the keyboard marks the table, places a ball and moves it", async ({ open }) => {
+  const page = await open({ viewport: WIDE });
+  const dialog = await openDialog(page);
+  await choosePhoto(dialog);
+  await dialog.getByText("0 of 6").waitFor();
+  let [x, y] = [SIZE[0] / 2, SIZE[1] / 2];
+  /** Steps of 50 pixels with Shift, and of 5 without. */
+  const press = async (key: string, times: number) => {
+    for (let k = 0; k < times; k += 1) await page.keyboard.press(key);
+  };
+  const go = async (target: Point) => {
+    for (const [axis, keys] of [
+      [0, ["ArrowLeft", "ArrowRight"]],
+      [1, ["ArrowUp", "ArrowDown"]],
+    ] as const) {
+      const steps = Math.round((target[axis] - [x, y][axis]!) / 5);
+      const key = keys[steps > 0 ? 1 : 0];
+      await press(`Shift+${key}`, Math.floor(Math.abs(steps) / 10));
+      await press(key, Math.abs(steps) % 10);
+      if (axis === 0) x += 5 * steps;
+      else y += 5 * steps;
+    }
+    await page.keyboard.press("Enter");
+  };
+  for (const place of marks.places) await go(project(camera, place)!);
+  await go(project(camera, [...balls[0]!.position, RADIUS])!);
+  await dialog.getByRole("img", { name: "The layout so far. Number of balls: 1" }).waitFor();
+  const handle = dialog.getByRole("button", { name: "the cue ball in the photo" });
+  await handle.focus();
+  const before = (await handle.boundingBox())!;
+  await press("Shift+ArrowRight", 2);
+  expect((await handle.boundingBox())!.x).toBeGreaterThan(before.x);
+  await page.keyboard.press("Delete");
+  await dialog.getByRole("img", { name: "The layout so far. Number of balls: 0" }).waitFor();
+});
+
+for (const colorScheme of ["light", "dark"] as const) {
+  test(`axe finds no violation in the photo dialog in ${colorScheme}`, async ({ open }) => {
+    const page = await open({ viewport: PHONE, colorScheme });
+    const dialog = await openDialog(page);
+    expect(await violations(page), "without a photo").toEqual([]);
+    await choosePhoto(dialog);
+    await dialog.getByText("0 of 6").waitFor();
+    const pixels = [
+      ...marks.places.map((place) => project(camera, place)!),
+      ...balls.slice(0, 3).map(({ position }) => project(camera, [...position, RADIUS])!),
+    ];
+    for (const [x, y] of await places(dialog, pixels)) await page.mouse.click(x, y);
+    await dialog.getByRole("img", { name: "Number of balls: 3" }).waitFor();
+    expect(await violations(page), "with balls").toEqual([]);
+  });
+}

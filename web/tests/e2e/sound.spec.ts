@@ -1,0 +1,46 @@
+import { expect, settled, test } from "./fixture.ts";
+
+/** Counts the sounds that start. */
+const counting = () => {
+  const state = { started: 0 };
+  const createNode = window.OscillatorNode;
+  window.OscillatorNode = class extends createNode {
+    override start(when?: number): void {
+      state.started += 1;
+      super.start(when);
+    }
+  };
+  Object.assign(window, { heard: state });
+};
+
+const heard = () => (window as unknown as { heard: { started: number } }).heard.started;
+
+test("a replay sounds, until the sound is switched off", async ({ open }) => {
+  const page = await open();
+  await page.evaluate(counting);
+  await page.getByRole("button", { name: "Shoot" }).click();
+  await page.waitForFunction(heard);
+  const button = page.getByRole("button", { name: "Sound", exact: true });
+  expect(await button.getAttribute("aria-pressed")).toBe("true");
+  await button.click();
+  expect(await button.getAttribute("aria-pressed")).toBe("false");
+  const before = await page.evaluate(heard);
+  await page.evaluate(() => {
+    const { store } = window.carom!;
+    store.setSession({ time: 0, playing: true });
+  });
+  await page.waitForFunction(() => window.carom!.store.session.time > 1);
+  expect(await page.evaluate(heard)).toBe(before);
+  await page.keyboard.press("m");
+  await settled(page);
+  expect(await button.getAttribute("aria-pressed")).toBe("true");
+});
+
+test("a shared link opens without sound", async ({ open }) => {
+  const page = await open();
+  await page.evaluate(() => window.carom!.store.strike({ speed: 3 }, "change"));
+  await page.waitForFunction(() => location.hash.length > 1);
+  const hash = await page.evaluate(() => location.hash);
+  const linked = await open({ hash });
+  expect(await linked.evaluate(() => window.carom!.store.session.sound)).toBe(false);
+});
