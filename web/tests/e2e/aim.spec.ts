@@ -172,7 +172,7 @@ test("an obstructed cue is reported with the necessary elevation, and a button r
     const strike = { ...shot.strike, azimuth_deg: 10, elevation_deg: 0 };
     store.apply({ shot: { ...shot, balls, strike } }, "try");
   });
-  await page.getByText(/The cue would pass through the left lower rail: raise it to/).waitFor();
+  await page.getByText(/^The cue would pass through the left lower rail: raise it to/).waitFor();
   const raise = page.getByRole("button", { name: "Raise the cue", exact: true });
   await raise.click();
   await settled(page);
