@@ -172,11 +172,7 @@ test("an obstructed cue is reported with the necessary elevation, and a button r
     const strike = { ...shot.strike, azimuth_deg: 10, elevation_deg: 0 };
     store.apply({ shot: { ...shot, balls, strike } }, "try");
   });
-  // Below the table, and a moment later for screen readers.
-  await page
-    .getByText(/^The cue would pass through the left lower rail: raise it to/)
-    .first()
-    .waitFor();
+  await page.getByText(/^The cue would pass through the left lower rail: raise it to/).waitFor();
   const raise = page.getByRole("button", { name: "Raise the cue", exact: true });
   await raise.click();
   await settled(page);

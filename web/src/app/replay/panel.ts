@@ -3,6 +3,7 @@
 import "./panel.css";
 import { MOTIONS, STRIDE, type BallInfo, type Trace } from "../../engine/types.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
+import { soundButton } from "./sound.ts";
 import type { Store } from "../document/store.ts";
 import { Pace } from "./clock.ts";
 import { playsOn } from "./control.ts";
@@ -20,7 +21,13 @@ export function mountState(root: HTMLElement, store: Store): void {
   const ball = h("select", { id: uniqueId("ball") });
   ball.addEventListener("change", () => store.setSession({ selected: ball.value }));
   root.append(
-    h("div", { class: "row" }, h("label", { for: ball.id }, t("replay.ball")), ball),
+    h(
+      "div",
+      { class: "row" },
+      h("label", { for: ball.id }, t("replay.ball")),
+      ball,
+      soundButton(store),
+    ),
     h("div", { class: "state" }),
   );
   const parts: Show[] = [mountNumbers(root), mountPlots(root, store), mountEvents(root, store)];

@@ -1,7 +1,14 @@
 /** Sound of the replay. */
 
 import { Speaker } from "../../sound/speaker.ts";
+import { h, icon } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
+import { t } from "../words/translate.ts";
+
+const ICONS = {
+  on: "M4 10v4h4l5 4V6L8 10zM16 9c1.5 1.5 1.5 4.5 0 6M18.5 6.5c3 3 3 8 0 11",
+  off: "M4 10v4h4l5 4V6L8 10zM16 10l4 4M20 10l-4 4",
+};
 
 /** Plays the impacts of a running replay while sound is switched on. */
 export function mountSound(store: Store): void {
@@ -16,4 +23,24 @@ export function mountSound(store: Store): void {
       speaker.silence();
     }
   });
+}
+
+/** Switches the sound on and off. */
+export function soundButton(store: Store): HTMLButtonElement {
+  const onclick = () => {
+    store.setSession({ sound: !store.session.sound });
+  };
+  const made = h("button", { type: "button", class: "button", id: "sound", onclick });
+  const show = () => {
+    const { sound } = store.session;
+    made.setAttribute("aria-pressed", String(sound));
+    made.replaceChildren(icon(sound ? ICONS.on : ICONS.off));
+  };
+  made.setAttribute("aria-label", t("replay.sound"));
+  made.title = t("replay.sound");
+  store.subscribe(({ session }, { session: before }) => {
+    if (session.sound !== before.sound) show();
+  });
+  show();
+  return made;
 }

@@ -26,8 +26,6 @@ const ICONS = {
   pause: "M8 5v14M16 5v14",
   next: "M6 5l9 7-9 7zM18 5v14",
   previous: "M18 5l-9 7 9 7zM6 5v14",
-  sound: "M4 10v4h4l5 4V6L8 10zM16 9c1.5 1.5 1.5 4.5 0 6M18.5 6.5c3 3 3 8 0 11",
-  silent: "M4 10v4h4l5 4V6L8 10zM16 10l4 4M20 10l-4 4",
 };
 
 /** Seconds that an arrow key moves the slider, without and with Shift. */
@@ -65,7 +63,6 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
       play,
       button(t("replay.next"), ICONS.next, () => stepForwards(store)),
       rates(store),
-      soundButton(store),
       clock,
       eventText,
       h("div", { class: "ways-on" }, leaveButton(store)),
@@ -273,24 +270,4 @@ function nearest(
     if (distance <= least) [best, least] = [{ event, share }, distance];
   }
   return best;
-}
-
-/** Switches the sound on and off. */
-function soundButton(store: Store): HTMLButtonElement {
-  const onclick = () => {
-    store.setSession({ sound: !store.session.sound });
-  };
-  const made = h("button", { type: "button", class: "button", id: "sound", onclick });
-  const show = () => {
-    const { sound } = store.session;
-    made.setAttribute("aria-pressed", String(sound));
-    made.replaceChildren(icon(sound ? ICONS.sound : ICONS.silent));
-  };
-  made.setAttribute("aria-label", t("replay.sound"));
-  made.title = t("replay.sound");
-  store.subscribe(({ session }, { session: before }) => {
-    if (session.sound !== before.sound) show();
-  });
-  show();
-  return made;
 }

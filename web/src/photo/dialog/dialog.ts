@@ -100,6 +100,8 @@ export class PhotoDialog {
     this.#tables.show(this.#options.table());
     this.root.showModal();
     this.#changeTable();
+    // The attribute `autofocus` would warn in a frame of another origin, before the dialog opens.
+    this.#source.focus();
   }
 
   #createButtons(): Buttons {

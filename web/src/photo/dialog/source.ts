@@ -9,6 +9,7 @@ export class Source {
   /** The button for another photo. */
   readonly again: HTMLButtonElement;
   readonly #open: (file: File) => void;
+  readonly #first: HTMLButtonElement;
   readonly #message = element("p", { class: "photo-warning", role: "alert" });
 
   constructor(open: (file: File) => void) {
@@ -28,13 +29,12 @@ export class Source {
       input.click();
     };
     this.again = button(TEXTS.another, "", choose);
-    const first = button(TEXTS.choose, "primary", choose);
-    first.autofocus = true;
+    this.#first = button(TEXTS.choose, "primary", choose);
     this.root = element(
       "div",
       { class: "photo-source" },
       element("p", {}, TEXTS.drop),
-      first,
+      this.#first,
       input,
       element("p", { class: "hint" }, TEXTS.privacy),
       this.#message,
@@ -44,6 +44,11 @@ export class Source {
   show(hasPhoto: boolean, message: string): void {
     this.root.hidden = hasPhoto;
     this.#message.textContent = message;
+  }
+
+  /** Focuses the button that chooses a file, if it is shown. */
+  focus(): void {
+    if (!this.root.hidden) this.#first.focus();
   }
 
   /** Takes files that are dropped on the dialog or pasted. The page behind it opens shots. */
