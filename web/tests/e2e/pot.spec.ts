@@ -125,3 +125,42 @@ test("the keyboard aims the selected ball at one pocket after another", async ({
   await page.keyboard.press("Shift+P");
   expect((await lock(page))!.pocket).toBe(seen[1]);
 });
+
+/** Place and size of the table's part of the page. */
+const stage = (page: Page) =>
+  page.evaluate(() => {
+    const { x, y, width, height } = document.getElementById("stage")!.getBoundingClientRect();
+    return { x, y, width, height };
+  });
+
+test("the table does not move from aiming to the replay", async ({ open }) => {
+  for (const viewport of [
+    { width: 1440, height: 900 },
+    { width: 1280, height: 800 },
+    { width: 1024, height: 768 },
+  ]) {
+    const page = await open({ viewport });
+    const before = await stage(page);
+    await page.evaluate(() => window.carom!.store.aimAtPocket("9", "top-right", "aim"));
+    await settled(page);
+    expect(await stage(page)).toEqual(before);
+    await page.getByRole("button", { name: "Shoot" }).click();
+    await settled(page);
+    expect(await page.evaluate(() => window.carom!.store.session.mode)).toBe("replay");
+    expect(await stage(page)).toEqual(before);
+  }
+});
+
+test("the table is upright on a phone, however long the description of the shot", async ({
+  open,
+}) => {
+  for (const locale of ["en", "de"]) {
+    const page = await open({ viewport: PHONE, hasTouch: true, isMobile: true, locale });
+    await page.evaluate(() => window.carom!.store.aimAtPocket("9", "top-right", "aim"));
+    await settled(page);
+    const { width, height } = await stage(page);
+    expect(height).toBeGreaterThan(width);
+    const [head, foot] = [await onPage(page, 0.6, 0.3), await onPage(page, 0.6, 2.2)];
+    expect(Math.abs(head.x - foot.x)).toBeLessThan(5);
+  }
+});
