@@ -3,12 +3,18 @@
 import "./photo.css";
 import { PhotoDialog, type PhotoOptions } from "./dialog/dialog.ts";
 import { button, element } from "./dialog/element.ts";
-import { TEXTS } from "./texts.ts";
+import { type PhotoLanguage, setLanguage, TEXTS } from "./texts.ts";
 
 export type { PhotoOptions } from "./dialog/dialog.ts";
+export type { PhotoLanguage } from "./texts.ts";
 
 /** Adds the button that opens the dialog. */
-export function mountPhoto(place: HTMLElement, options: PhotoOptions): void {
+export function mountPhoto(
+  place: HTMLElement,
+  options: PhotoOptions,
+  language: PhotoLanguage,
+): void {
+  setLanguage(language);
   const dialog = new PhotoDialog(options);
   document.body.append(dialog.root);
   const open = button(TEXTS.open, "", () => dialog.open());

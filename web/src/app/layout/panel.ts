@@ -12,14 +12,14 @@ import type { Store } from "../document/store.ts";
 import { mountTable } from "./table.ts";
 import { gameName } from "../common/presets.ts";
 import { ballName } from "../common/words.ts";
-import { t } from "../words/translate.ts";
+import { language, t } from "../words/translate.ts";
 
 /** Seeds drawn by the page are below this: short numbers are easy to pass on. */
 const SEEDS = 10_000;
 
 export function mountLayoutPanel(root: HTMLElement, store: Store, context: Context): void {
   mountRacks(root, store, context);
-  mountPhoto(root, photoOptions(store, context));
+  mountPhoto(root, photoOptions(store, context), language());
   mountTable(root, store, context);
   mountBalls(root, store, context);
 }
