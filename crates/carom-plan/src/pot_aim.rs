@@ -71,7 +71,9 @@ pub fn pot_aim(
         return Ok(found);
     }
     let straight = straight(shot, ball, pocket);
-    let swerved = (-SWERVES..=SWERVES).map(|k| straight + SWERVE_STEP * f64::from(k));
+    let swerved = (-SWERVES..=SWERVES).filter(|k| *k != 0);
+    let swerved = swerved.map(|k| straight + SWERVE_STEP * f64::from(k));
+    // The straight line comes first among those that pot the ball.
     let around: Vec<f64> = [straight].into_iter().chain(swerved).collect();
     // A direct pot that is a little off comes before a bank that falls.
     for azimuths in [around, crate::aim::lines(shot, ball, pocket)] {

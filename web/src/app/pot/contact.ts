@@ -1,6 +1,6 @@
 /** How the cue ball meets the first ball: what players call the cut. */
 
-import type { Trace } from "../../engine/index.ts";
+import type { Trace, TraceEvent } from "../../engine/index.ts";
 
 const DEGREES = 180 / Math.PI;
 
@@ -17,8 +17,15 @@ export interface Contact {
   readonly fullness: number;
 }
 
+/** The event in which the cue ball meets its first ball, and the places of both in it. */
+export interface ContactEvent {
+  readonly event: TraceEvent;
+  readonly own: number;
+  readonly other: number;
+}
+
 /** The first contact of a shot; null if the cue ball meets no ball, or several at once. */
-export function firstContact(trace: Trace): Contact | null {
+export function firstContactEvent(trace: Trace): ContactEvent | null {
   const { struck, balls } = trace.shot;
   const cue = struck === null ? undefined : balls[struck]?.id;
   if (cue === undefined) return null;
@@ -27,10 +34,18 @@ export function firstContact(trace: Trace): Contact | null {
   );
   if (event?.balls.length !== 2) return null;
   const own = event.balls.indexOf(cue);
-  const [from, to] = [event.before[own]!, event.before[1 - own]!];
+  return { event, own, other: 1 - own };
+}
+
+/** The cut of the first contact; null as for `firstContactEvent`. */
+export function firstContact(trace: Trace): Contact | null {
+  const found = firstContactEvent(trace);
+  if (!found) return null;
+  const { event, own, other } = found;
+  const [from, to] = [event.before[own]!, event.before[other]!];
   const [x, y] = [to.position[0] - from.position[0], to.position[1] - from.position[1]];
   const [vx, vy] = from.velocity;
   const across = Math.abs(vx * y - vy * x) / (Math.hypot(x, y) * Math.hypot(vx, vy));
   const cut = Math.asin(Math.min(1, across)) * DEGREES;
-  return { ball: event.balls[1 - own]!, cut, fullness: 1 - Math.min(1, across) };
+  return { ball: event.balls[other]!, cut, fullness: 1 - Math.min(1, across) };
 }

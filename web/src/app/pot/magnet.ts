@@ -9,6 +9,7 @@ import {
 } from "../../engine/index.ts";
 import type { AimedShot } from "../document/document.ts";
 import { azimuthOfAim, turnedTo } from "../document/pot-lock.ts";
+import { firstContactEvent } from "./contact.ts";
 
 /** Degrees by which the first ball's path may pass a pocket to be drawn to it. */
 const CAPTURE = 30;
@@ -45,16 +46,12 @@ export function magnet(shot: Shot, file: AimedShot, azimuth: number, zone: numbe
 
 /** The first ball that the cue ball meets, and the pocket nearest to its path. */
 function drawn(trace: Trace): { readonly ball: string; readonly pocket: PocketName } | null {
-  const { struck, balls, geometry } = trace.shot;
-  const cue = struck === null ? undefined : balls[struck]?.id;
-  const event = trace.events.find(
-    ({ type, balls: met }) => type === "ball-collision" && met.length === 2 && met.includes(cue!),
-  );
-  if (!event || cue === undefined) return null;
-  const other = 1 - event.balls.indexOf(cue);
+  const found = firstContactEvent(trace);
+  if (!found) return null;
+  const { event, other } = found;
   const { position, velocity } = event.after[other]!;
   const way = Math.atan2(velocity[1], velocity[0]);
-  const passes = geometry.pockets.map(({ name, center: [x, y] }) => {
+  const passes = trace.shot.geometry.pockets.map(({ name, center: [x, y] }) => {
     const to = Math.atan2(y - position[1], x - position[0]);
     const off = Math.abs(Math.atan2(Math.sin(to - way), Math.cos(to - way))) * (180 / Math.PI);
     return { pocket: name, off };
