@@ -139,12 +139,14 @@ fn check_pair(
     normal: Vec3,
 ) -> Result<Vec3, (f64, String)> {
     let wrong = |size: f64, most: f64, what: &str| {
-        let excess = size / most;
+        if size <= most {
+            return Ok(());
+        }
         let text = format!(
             "{what} of ball {} changes by {size:e}, allowed {most:e}, when it meets ball {}",
             free.named, other.named
         );
-        if size > most { Err((excess, text)) } else { Ok(()) }
+        Err((size / most, text))
     };
     // A ball balanced on top of another is treated as tilted: the impulse is up to 2·LEAN off the
     // line of centres. If a persistent contact separates them along that line, the impulse is up to

@@ -1,7 +1,9 @@
 //! Builds a random shot file: a random table, and random balls on it.
 
 use std::fmt::Write as _;
+use std::sync::LazyLock;
 
+use carom::Table;
 use carom::math::{cos, sin};
 
 use crate::random::Random;
@@ -20,6 +22,10 @@ const PLACES: [TableSize; 8] = [
     ("carom-10ft", 1.42, 2.84, 0.030_75),
     ("carom-9ft", 1.27, 2.54, 0.030_75),
 ];
+
+/// The tables of `PLACES`. To build one costs as much as to judge half a shot.
+static TABLES: LazyLock<[Table; PLACES.len()]> =
+    LazyLock::new(|| PLACES.map(|(name, ..)| Table::preset(name).expect("a preset")));
 
 /// A ball of a random shot.
 #[derive(Clone, Copy)]
@@ -86,11 +92,15 @@ impl ShotBuilder {
         x >= reach && x <= w - reach && y >= reach && y <= l - reach
     }
 
+    pub(super) fn table(&self) -> &'static Table {
+        let at = PLACES.iter().position(|(name, ..)| *name == self.place.0);
+        &TABLES[at.expect("one of the places")]
+    }
+
     /// Distance of a frozen ball's centre from the nose line.
     pub(super) fn reach(&self) -> f64 {
-        let table = carom::Table::preset(self.place.0).expect("a preset");
         let r = self.place.3;
-        let rise = table.cushion_height - r;
+        let rise = self.table().cushion_height - r;
         (r * r - rise * rise).sqrt()
     }
 

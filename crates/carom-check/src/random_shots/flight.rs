@@ -1,6 +1,5 @@
 //! Families of shots off the cloth.
 
-use carom::Table;
 use carom::math::{Vec2, cos, sin, sqrt};
 use carom::table::LIP_OVERHANG;
 
@@ -13,10 +12,6 @@ const MISCUE: f64 = 0.514_49;
 const GRAVITY: f64 = 9.8;
 
 impl ShotBuilder {
-    fn table(&self) -> Table {
-        Table::preset(self.place.0).expect("a preset")
-    }
-
     /// A random vector of a length up to √3.
     fn direction(&mut self) -> [f64; 3] {
         [(); 3].map(|()| self.rng.between(-1.0, 1.0))
