@@ -28,9 +28,12 @@ import {
   type Batch,
   type CoefficientKey,
   type Geometry,
+  type LeaveAim,
+  type LeaveOptions,
   type Noise,
   type NoisyBatch,
   type Outcome,
+  type Point,
   type PotAim,
   type Shot,
   type ShotFile,
@@ -70,6 +73,9 @@ const BALL_BYTES = 25;
 
 /** Memory of as many successors: about half of `BATCH_MEMORY`. */
 const MOST_SUCCESSORS = 2 ** 24;
+
+/** Variants that rank the strikes of `leaveAim`: more take longer than a user waits. */
+const MOST_VARIANTS = 100_000;
 
 /** Keys that every strike has, in the order in which the engine takes its numbers. */
 const STRIKE = ["speed", "azimuth", "side", "height"] as const;
@@ -351,10 +357,14 @@ class WasmShot implements Shot {
     );
   }
 
-  potAim(ball: string, pocket: string, { near = false } = {}): PotAim | null {
+  #indices(ball: string, pocket: string): readonly [number, number] {
     const balls = this.balls.map(({ id }) => id);
     const pockets = this.geometry.pockets.map(({ name }) => name);
-    const indices = [named("ball", ball, balls), named("pocket", pocket, pockets)] as const;
+    return [named("ball", ball, balls), named("pocket", pocket, pockets)];
+  }
+
+  potAim(ball: string, pocket: string, { near = false } = {}): PotAim | null {
+    const indices = this.#indices(ball, pocket);
     const aim = checked(() => this.handle.object.potAim(...indices, boolean("near", near)));
     if (!aim) return null;
     const found = {
@@ -363,6 +373,34 @@ class WasmShot implements Shot {
       kind: aim.kind(),
       route: aim.route(),
       losesCueBall: aim.losesCueBall(),
+    };
+    aim.free();
+    return found;
+  }
+
+  leaveAim(
+    ball: string,
+    pocket: string,
+    place: Point,
+    { noise, variants = 100, speed = [0.5, 7], offset = 0.45 }: LeaveOptions = {},
+  ): LeaveAim | null {
+    const indices = this.#indices(ball, pocket);
+    const at = Float64Array.from(numbers("place", place, ["0", "1"]));
+    const range = Float64Array.from([
+      ...numbers("speed", speed, ["0", "1"]),
+      ...numbers("", { offset }, ["offset"]),
+    ]);
+    const sigmas = noise === undefined ? wasm.olympiad(1) : sigmasOf(noise);
+    const count = Number(whole("variants", variants, MOST_VARIANTS));
+    const aim = checked(() => this.handle.object.leaveAim(...indices, at, range, sigmas, count));
+    if (!aim) return null;
+    const [x, y] = aim.end();
+    const found = {
+      strike: strikeOf(aim.strike()),
+      end: [x!, y!] as const,
+      distance: aim.distance(),
+      isReached: aim.isReached(),
+      chance: aim.chance(),
     };
     aim.free();
     return found;

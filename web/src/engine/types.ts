@@ -346,6 +346,30 @@ export interface PotAim {
   readonly losesCueBall: boolean;
 }
 
+/** A strike that pots a ball and leaves the cue ball near a place. */
+export interface LeaveAim {
+  readonly strike: Strike;
+  /** Where the cue ball stops, m. */
+  readonly end: Point;
+  /** Its distance from the place, m. */
+  readonly distance: number;
+  /** Whether that is at most 2 cm. */
+  readonly isReached: boolean;
+  /** The share of variants in which the ball falls and the cue ball stops within 15 cm of `end`. */
+  readonly chance: number;
+}
+
+export interface LeaveOptions {
+  /** The errors under which strikes that reach the place are ranked. Default: the Olympiad's. */
+  readonly noise?: Noise;
+  /** Number of variants. Default 100. */
+  readonly variants?: number;
+  /** Least and greatest speed of the cue, m/s. Default 0.5 and 7. */
+  readonly speed?: readonly [least: number, most: number];
+  /** Largest tip offset, ball radii. Default 0.45. */
+  readonly offset?: number;
+}
+
 /** A validated shot; immutable. */
 export interface Shot {
   /** The shot file as a value, with the elevation that is used; parsed on first use. */
@@ -390,6 +414,14 @@ export interface Shot {
    * @throws CaromError for an unknown ball or pocket, for the cue ball, and without a strike.
    */
   potAim(ball: string, pocket: string, options?: { readonly near?: boolean }): PotAim | null;
+  /**
+   * The strike that pots `ball` into `pocket` and leaves the cue ball nearest to a place; among those that
+   * reach it, the most probable one. The line is that of the shot's own strike if its ball almost falls,
+   * or else the straight one. Some tenths of a second: call it in a worker.
+   * @returns null if no strike pots the ball.
+   * @throws CaromError as `potAim`, and for an option out of range.
+   */
+  leaveAim(ball: string, pocket: string, place: Point, options?: LeaveOptions): LeaveAim | null;
   /**
    * Variant `index` of `vary` as an ordinary shot, with its strike and the contacts that cling.
    * @throws CaromError as `vary`, and if the drawn strike cannot be played.

@@ -79,6 +79,43 @@ test("a shot without a strike has no variants", () => {
   expect(refusal(() => shot.vary(engine.olympiad(), 1)).place).toBe("strike");
 });
 
+describe("leaveAim", () => {
+  const noise = engine.noisePresets.club!;
+  const file: ShotFile = {
+    format: "carom-shot/1",
+    table: "wpa-9ft",
+    balls: [
+      { id: "cue", position: [0.42, 0.72] },
+      { id: "9", position: [0.86, 1.74] },
+    ],
+    strike: { ball: "cue", speed: 2, azimuth_deg: 66.8 },
+  };
+
+  test("pots the ball and stops the cue ball at the place", () => {
+    const shot = engine.shot(file);
+    const aim = shot.leaveAim("9", "top-right", [0.5, 1.2], { noise })!;
+    expect(aim.isReached).toBe(true);
+    const trace = shot.withStrike(aim.strike).simulate();
+    expect(trace.outcome.pocketed).toEqual([["9", "top-right"]]);
+    const [x, y] = trace.statesAt(trace.duration);
+    expect([x, y]).toEqual(aim.end);
+    expect(Math.hypot(x! - 0.5, y! - 1.2)).toBeCloseTo(aim.distance, 12);
+    expect(aim.distance).toBeLessThan(0.02);
+    expect(aim.chance).toBeGreaterThan(0);
+    expect(aim.chance).toBeLessThan(1);
+  });
+
+  test("refuses a place that is not two numbers, and an empty range of speeds", () => {
+    const shot = engine.shot(file);
+    const place = [0.5] as unknown as [number, number];
+    expect(refusal(() => shot.leaveAim("9", "top-right", place)).place).toBe("place[1]");
+    const options = { speed: [3, 1] as const };
+    expect(refusal(() => shot.leaveAim("9", "top-right", [0.5, 1], options)).message).toBe(
+      "speed: 3.0 to 1.0 m/s is not a range of speeds; give 0 < least < most <= 50",
+    );
+  });
+});
+
 describe("potAim", () => {
   const balls = [
     { id: "cue", position: [0.42, 0.72] },
