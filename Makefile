@@ -186,4 +186,4 @@ $(PAGE): $(MODULES) $(PAGE_SOURCES)
 	@echo "Building the page (the first time takes some minutes) ..." >&2
 	@cd web && $(ALONE) npm run --silent build -- --logLevel warn
 	@mkdir -p $(@D)
-	@cp web/dist/index.html $@
+	@cp web/dist/* $(@D)/

@@ -39,6 +39,12 @@ def path() -> Path:
     return Path(__file__).parent / "web" / "index.html"
 
 
+def beside() -> dict[str, bytes]:
+    """The files beside the built page, by name. They make a served page installable."""
+    files = path().parent.glob("*")
+    return {file.name: file.read_bytes() for file in files if file.name != path().name}
+
+
 def is_built() -> bool:
     """Whether this installation has the page."""
     return path().exists()
@@ -121,7 +127,7 @@ def show(document: Document, *, height: int = HEIGHT) -> None:
     # A server's modules take as long to load as half of carom.
     from carom.serve import serve
 
-    serve(html(document))
+    serve(html(document), beside=beside())
 
 
 def _in_notebook() -> bool:

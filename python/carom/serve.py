@@ -7,13 +7,22 @@ import gzip
 import sys
 import threading
 import webbrowser
+from collections.abc import Mapping
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
 from typing import Any
 
 from carom.errors import InputError
 
 HOST = "127.0.0.1"
+
+# Types of the files beside the page.
+TYPES = {
+    ".js": "text/javascript; charset=utf-8",
+    ".png": "image/png",
+    ".webmanifest": "application/manifest+json",
+}
 
 
 class PageServer(ThreadingHTTPServer):
@@ -22,6 +31,7 @@ class PageServer(ThreadingHTTPServer):
     Args:
         page: The HTML.
         port: The port; 0 chooses a free one.
+        beside: The files beside the page by name, such as its icons.
 
     Raises:
         InputError: The port cannot be used.
@@ -29,7 +39,10 @@ class PageServer(ThreadingHTTPServer):
 
     daemon_threads = True
 
-    def __init__(self, page: str, port: int = 0) -> None:
+    def __init__(
+        self, page: str, port: int = 0, *, beside: Mapping[str, bytes] | None = None
+    ) -> None:
+        self.beside = dict(beside or {})
         self.plain = page.encode()
         self.packed = gzip.compress(self.plain, compresslevel=6)
         try:
@@ -57,7 +70,11 @@ class _Handler(BaseHTTPRequestHandler):
     server_version = "carom"
 
     def do_GET(self) -> None:
-        if self.path.partition("?")[0] != "/":
+        name = self.path.partition("?")[0].removeprefix("/")
+        if name in self.server.beside:
+            self._send_beside(name)
+            return
+        if name != "":
             self.send_error(HTTPStatus.NOT_FOUND, "The only page is /")
             return
         packed = "gzip" in self.headers.get("Accept-Encoding", "")
@@ -74,22 +91,39 @@ class _Handler(BaseHTTPRequestHandler):
         self.end_headers()
         self.wfile.write(body)
 
+    def _send_beside(self, name: str) -> None:
+        body = self.server.beside[name]
+        self.send_response(HTTPStatus.OK)
+        self.send_header("Content-Type", TYPES[Path(name).suffix])
+        self.send_header("Content-Length", str(len(body)))
+        self.send_header("Cache-Control", "no-cache")
+        self.send_header("X-Content-Type-Options", "nosniff")
+        self.end_headers()
+        self.wfile.write(body)
+
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002 -- the base class's name
         """Print nothing to the terminal."""
 
 
-def serve(page: str, *, port: int = 0, browser: bool = True) -> None:
+def serve(
+    page: str,
+    *,
+    port: int = 0,
+    browser: bool = True,
+    beside: Mapping[str, bytes] | None = None,
+) -> None:
     """Serve ``page`` until Ctrl-C, and open it in the browser.
 
     Args:
         page: The HTML.
         port: The port; 0 chooses a free one.
         browser: Whether to open a browser.
+        beside: The files beside the page by name, such as its icons.
 
     Raises:
         InputError: The port cannot be used.
     """
-    with PageServer(page, port) as server:
+    with PageServer(page, port, beside=beside) as server:
         sys.stderr.write(f"carom: {server.address} (Ctrl-C ends)\n")
         sys.stderr.flush()
         if browser:

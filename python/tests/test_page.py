@@ -110,7 +110,7 @@ def test_show_serves_the_page_outside_a_notebook(
     pot: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     served: list[str] = []
-    monkeypatch.setattr(serve, "serve", served.append)
+    monkeypatch.setattr(serve, "serve", lambda text, **_: served.append(text))
     trace = Shot.from_dict(pot).simulate()
     trace.show()
     assert served == [page.html(trace)]
@@ -155,7 +155,7 @@ def test_a_file_that_is_not_the_page_is_refused(
 
 @contextmanager
 def served(text: str) -> Iterator[serve.PageServer]:
-    with serve.PageServer(text) as server:
+    with serve.PageServer(text, beside=page.beside()) as server:
         thread = threading.Thread(target=server.serve_forever, daemon=True)
         thread.start()
         yield server
@@ -189,6 +189,21 @@ def test_the_server_has_one_page_and_compresses_it_on_request() -> None:
         assert ask(server, "GET", "/etc/passwd")[0].status == 404
         assert ask(server, "GET", "/..")[0].status == 404
         assert ask(server, "POST", "/")[0].status == 501
+
+
+def test_the_server_has_what_makes_the_page_installable() -> None:
+    with served("") as server:
+        manifest, body = ask(server, "GET", "/manifest.webmanifest")
+        assert manifest.headers["Content-Type"] == "application/manifest+json"
+        icons = {icon["src"] for icon in json.loads(body)["icons"]}
+        assert icons
+        for icon in icons:
+            picture, body = ask(server, "GET", f"/{icon}")
+            assert picture.headers["Content-Type"] == "image/png"
+            assert body.startswith(b"\x89PNG")
+        worker, body = ask(server, "GET", "/service-worker.js")
+        assert worker.headers["Content-Type"].startswith("text/javascript")
+        assert b"fetch" in body
 
 
 def test_a_closed_connection_is_ignored_and_a_bug_is_reported(

@@ -30,7 +30,9 @@ def play(
     signal.signal(signal.SIGINT, signal.default_int_handler)
     keep_sockets()
     document = None if file is None else _document(read(file), file_name(file))
-    carom.serve.serve(carom.page.html(document), port=port, browser=browser)
+    carom.serve.serve(
+        carom.page.html(document), port=port, browser=browser, beside=carom.page.beside()
+    )
 
 
 def _document(text: str, name: str) -> carom.Shot | carom.Trace:
