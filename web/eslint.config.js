@@ -20,6 +20,12 @@ export default defineConfig(
       "@typescript-eslint/no-non-null-assertion": "off",
     },
   },
+  {
+    files: ["public/service-worker.js"],
+    languageOptions: {
+      globals: { self: "readonly", caches: "readonly", fetch: "readonly", URL: "readonly" },
+    },
+  },
   { files: ["**/*.js"], extends: [ts.configs.disableTypeChecked] },
   prettier,
 );

@@ -6,15 +6,20 @@ import { Viewer } from "../viewer/index.ts";
 import type { Context } from "./common/context.ts";
 import { FrameLoop } from "./common/frame-loop.ts";
 import { referee } from "./game/referee.ts";
+import { makeInstallable } from "./install.ts";
 import { mountNotices } from "./shell/notices.ts";
 import { mountPage, place } from "./page.ts";
 import { applyLanguage } from "./shell/language.ts";
+import { setTurn, turnOf } from "./common/seen.ts";
 import { Scene } from "./scene.ts";
 import { startOf } from "./start.ts";
 import { Store } from "./document/store.ts";
 import { shownTheme } from "./shell/theme.ts";
 import { errorText } from "./common/refusals.ts";
 import { t } from "./words/translate.ts";
+
+/** Distance (m) over which the direction of the table in the picture is measured. */
+const ASIDE = 0.1;
 
 const REDUCED_MOTION = matchMedia("(prefers-reduced-motion: reduce)");
 
@@ -45,13 +50,29 @@ async function start(): Promise<void> {
   draw = () => {
     scene.update();
     if (viewer.needsFrame) viewer.render();
+    followTurn(store, viewer);
     return viewer.needsFrame;
   };
   window.carom = { store, engine, viewer, scene };
   // The page is usable once the first picture is drawn. Tests wait for this mark; a benchmark reads it.
+  makeInstallable();
   loop.input("first picture", () =>
     requestAnimationFrame(() => performance.mark("carom:interactive")),
   );
+}
+
+/** Names pockets and rails as the picture shows them; behind the cue the names stay. */
+function followTurn(store: Store, viewer: Viewer): void {
+  const { size } = store.shot.geometry;
+  if (!size || store.view.camera === "cue" || viewer.flying) return;
+  const [x, y] = [size[0] / 2, size[1] / 2];
+  const from = viewer.project(x, y, 0);
+  const to = viewer.project(x, y + ASIDE, 0);
+  if (!from || !to) return;
+  const turn = turnOf(to[0] - from[0], to[1] - from[1]);
+  if (turn === store.session.turn) return;
+  setTurn(turn);
+  store.setSession({ turn });
 }
 
 declare global {

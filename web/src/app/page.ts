@@ -1,13 +1,17 @@
 /** Mounts every part of the page. */
 
 import { mountAimPanel } from "./aim/panel.ts";
+import { mountChip } from "./analyse/chip.ts";
+import { mountLines } from "./analyse/panel.ts";
+import { mountTree } from "./analyse/tree-panel.ts";
 import type { Context } from "./common/context.ts";
 import { mountDock, mountTake } from "./aim/dock.ts";
-import { mountFirstUse } from "./help/first-use.ts";
 import { mountBar } from "./game/bar.ts";
 import { mountGame } from "./game/panel.ts";
 import { mountGestures } from "./input/gestures.ts";
 import { mountCamera, mountHistory, mountPageMenu } from "./shell/header.ts";
+import { mountEntrances } from "./shell/entrances.ts";
+import { mountOpening } from "./help/opening.ts";
 import { mountHelp } from "./help/help.ts";
 import { mountKeys } from "./input/keys.ts";
 import { mountLayoutPanel } from "./layout/panel.ts";
@@ -17,10 +21,16 @@ import { mountState } from "./replay/panel.ts";
 import { mountSound } from "./replay/sound.ts";
 import { mountTimeline } from "./replay/timeline.ts";
 import { mountAddress } from "./share/address.ts";
+import { copy } from "./share/clipboard.ts";
+import { download } from "./share/download.ts";
+import { mountFriend } from "./share/friend.ts";
+import { mountReload } from "./share/reload.ts";
 import { mountShare } from "./share/menu.ts";
 import type { Store } from "./document/store.ts";
 import { mountTabs } from "./shell/tabs.ts";
+import { mountTools } from "./shell/tools.ts";
 import { mountTheme } from "./shell/theme.ts";
+import { mountTrain } from "./train/panel.ts";
 import { mountWhatIf } from "./whatif/panel.ts";
 
 /** The mount point with this id in index.html. */
@@ -30,13 +40,16 @@ export function place(id: string): HTMLElement {
   return element;
 }
 
-/** @param welcome Whether to show the first steps. */
+/** @param welcome Whether to begin with the first steps. */
 export function mountPage(store: Store, context: Context, welcome: boolean): void {
   const table = place("table") as HTMLCanvasElement;
   mountTheme(store, context);
   mountRefusal(place("refusal"), store);
-  mountTabs(place("tabs"), store);
+  const openTab = mountTabs(place("tabs"), store);
+  mountEntrances(place("entrances"), store);
   mountAimPanel(place("panel-aim"), store, context);
+  mountLines(place("panel-lines"), store, context);
+  mountTree(place("panel-tree"), store, context, { copy, download });
   mountLayoutPanel(place("panel-layout"), store, context);
   mountPhysicsPanel(place("panel-physics"), store, context);
   mountState(place("panel-state"), store);
@@ -45,15 +58,24 @@ export function mountPage(store: Store, context: Context, welcome: boolean): voi
   mountWhatIf(place("panel-whatif"), store, context);
   mountGame(place("panel-game"), store, context);
   mountBar(place("game-bar"), store, context);
+  mountTrain(place("panel-train"), store, context);
   mountShare(place("share"), store, context);
   mountAddress(store, context);
-  mountDock(place("shoot"), store, context);
+  mountFriend(place("game-bar"), store, context);
+  mountReload(store, context.engine);
+  mountDock(place("shoot"), store, context, () => {
+    openTab("aim");
+  });
+  mountChip(place("shoot-button"), store, context, () => {
+    openTab("whatif");
+  });
   mountTake(place("leave-replay"), store, context);
   mountHistory(place("history"), store, context);
   mountCamera(place("camera"), store, context);
-  const showSteps = mountFirstUse(place("first-use"), store, welcome);
+  const showSteps = mountOpening(place("first-use"), store, context, welcome);
   const openHelp = mountHelp(place("help") as HTMLDialogElement, store, context, showSteps);
   mountPageMenu(place("page-menu"), store, openHelp);
+  mountTools(place("tools"), place("tools-button"));
   mountGestures(table, store, context);
   mountKeys(table, { store, context, openHelp });
   store.subscribe((now, before) => {

@@ -1,12 +1,18 @@
 /** Updates the viewer from the state. No other module changes what the viewer shows, except films. */
 
-import { STRIDE, type Engine, type Strike, type Trace } from "../engine/index.ts";
-import type { CuePose, Mark, Viewer } from "../viewer/index.ts";
+import { STRIDE, type Call, type Engine, type Strike, type Trace } from "../engine/index.ts";
+import type { Area, BallPath, CuePose, Density, Mark, Viewer } from "../viewer/index.ts";
+import { stopHandle } from "./analyse/stop.ts";
 import type { Context } from "./common/context.ts";
-import type { AimedShot } from "./document/document.ts";
+import type { AimedShot, Attempt, Session } from "./document/document.ts";
 import { areasOf } from "./game/areas.ts";
-import type { Game } from "./document/game.ts";
-import { canAim, standing } from "./game/play.ts";
+import type { Game, Guide } from "./document/game.ts";
+import { shownGuide } from "./document/guide.ts";
+import { firstMeeting, shortPaths } from "./game/guide/paths.ts";
+import { presentCall } from "./game/calling.ts";
+import { canAim, standing } from "./game/turn.ts";
+import { guidesOf, lineFrom } from "./pot/guides.ts";
+import { strokePull } from "./replay/clock.ts";
 import type { State, Store } from "./document/store.ts";
 
 /** Greatest distance (m) of a drawn path from the exact one: below a pixel at usual zooms. */
@@ -18,23 +24,38 @@ const PULL_PER_SPEED = 0.03;
 /** Greatest distance (m), so that the cue stays in the picture. */
 const LONGEST_PULL = 0.35;
 
+const NO_AREAS: readonly Area[] = [];
+
+/** What has areas on the cloth: an attempt or else a game, a line of the analysis, and the stop. */
+interface Marked {
+  readonly attempt?: Attempt | null;
+  readonly game?: Game | null;
+  readonly others?: readonly Area[];
+  readonly stop?: Area | null;
+}
+
 export interface SceneStats {
   /** Time of the last update of the scene, without drawing, ms. */
   sceneMs: number;
+  /** Number of balls whose paths are shown. */
+  paths: number;
 }
 
 export class Scene {
-  readonly stats: SceneStats = { sceneMs: 0 };
+  readonly stats: SceneStats = { sceneMs: 0, paths: 0 };
   readonly #store: Store;
   readonly #viewer: Viewer;
   readonly #engine: Engine;
   #shown: State | null = null;
-  /** The game whose areas are shown. */
-  #game: Game | null = null;
-  /** Name of the pocket that is lit. */
-  #lit: string | null = null;
+  /** What the marked areas of the cloth come from. */
+  #marked: readonly unknown[] = [];
+  #zone: Density | null = null;
+  /** What is lit, as text. */
+  #lit = "";
   #paths: Trace | null = null;
-  #style: "ghost" | "trace" = "ghost";
+  /** What is shown of the present paths. */
+  #extent: Guide | "trace" = "full";
+  #guided = false;
   #states = new Float64Array(0);
 
   constructor(store: Store, context: Pick<Context, "viewer" | "loop" | "engine">) {
@@ -57,29 +78,37 @@ export class Scene {
       this.#viewer.setCamera(now.view.camera, before === null);
     }
     const replayed = now.session.mode === "replay" ? now.session.trace : null;
-    const shot = replayed?.shot ?? this.#store.shot;
+    const shot = (replayed ?? now.session.preview?.trace)?.shot ?? this.#store.shot;
     this.#viewer.setTable(shot.geometry, shot.balls);
-    if (replayed) this.#replay(replayed, now.session.time);
+    if (replayed) this.#replay(replayed, now.session);
     else this.#aim(now);
+    const zone = replayed ? null : now.session.zone;
+    if (zone !== this.#zone) {
+      this.#zone = zone;
+      this.#viewer.setZone(zone);
+    }
     const selected = shot.balls.findIndex(({ id }) => id === now.session.selected);
     this.#viewer.select(selected < 0 ? null : selected);
     this.stats.sceneMs = performance.now() - start;
   }
 
-  #replay(trace: Trace, time: number): void {
+  #replay(trace: Trace, { time, stroke }: Session): void {
     this.#setBalls(trace.statesAt(time, this.#buffer(trace.shot.balls.length)));
     this.#setPaths(trace, "trace");
     this.#viewer.setTime(time);
-    this.#viewer.setCue(null);
+    this.#viewer.setCue(stroke > 0 ? stroking(trace, stroke) : null);
     this.#viewer.setMarks([]);
-    this.#showAreas(null);
+    this.#showAreas({ attempt: this.#store.session.attempt });
     this.#light(null);
   }
 
   #aim({ document, session }: State): void {
-    const { shot } = this.#store;
+    const { preview } = session;
+    const shot = preview?.trace?.shot ?? this.#store.shot;
     const aims = canAim(this.#store, this.#engine);
-    const trace = aims ? this.#store.ghost.trace : null;
+    const guide = shownGuide({ document, session });
+    const ghost = preview?.trace ?? this.#store.ghost.trace;
+    const trace = aims && guide !== "none" ? ghost : null;
     const states = this.#buffer(shot.balls.length);
     shot.balls.forEach((ball, index) => {
       states.fill(0, index * STRIDE, (index + 1) * STRIDE);
@@ -90,33 +119,52 @@ export class Scene {
     if (refused) states.set(refused.position, refused.index * STRIDE);
     this.#setBalls(states);
     this.#viewer.setTime(null);
-    this.#setPaths(trace, "ghost");
+    this.#setPaths(trace, guide, session.guides && guide === "full");
     this.#viewer.setCue(aims && shot.struck !== null ? pose(shot.strike!, shot.struck) : null);
     this.#viewer.setMarks([
-      ...(trace ? marks(trace) : []),
+      ...(trace ? marks(trace, guide) : []),
       ...(refused
         ? [{ position: place(states, refused.index), kind: "refused", ball: refused.index }]
         : []),
     ]);
-    this.#showAreas(document.game);
-    this.#light(aims ? (session.lock?.pocket ?? null) : null);
+    const stop = preview ? null : stopHandle(this.#store);
+    this.#showAreas({
+      attempt: session.attempt,
+      game: document.game,
+      others: preview?.areas ?? NO_AREAS,
+      stop,
+    });
+    const falls = guide === "full" ? (trace?.outcome.pocketed[0]?.[1] ?? null) : null;
+    const aimed = session.lock?.pocket ?? falls;
+    const asked = session.attempt?.pocket ?? null;
+    this.#light(aims ? (aimed ?? asked) : null, aimed === null && asked !== null);
   }
 
-  /** Lights a pocket up. */
-  #light(pocket: string | null): void {
-    if (pocket === this.#lit) return;
-    this.#lit = pocket;
-    this.#viewer.light(pocket === null ? null : { pocket });
+  /** Lights a pocket up. A light that pulses asks for something. */
+  #light(pocket: string | null, pulses = false): void {
+    const lit = pocket === null ? "" : `${pocket} ${pulses}`;
+    if (lit === this.#lit) return;
+    this.#lit = lit;
+    this.#viewer.light(pocket === null ? null : { pocket, pulses });
   }
 
-  /** Marks the areas of a game on the cloth; null removes them. */
-  #showAreas(game: Game | null): void {
-    if (game === this.#game) return;
-    this.#game = game;
+  /** Marks areas of the cloth. */
+  #showAreas({ attempt = null, game = null, others = NO_AREAS, stop = null }: Marked): void {
+    const call = game && presentCall(this.#store, this.#engine);
+    const sources = [attempt, game, JSON.stringify(call), others, stop];
+    if (sources.every((source, k) => source === this.#marked[k])) return;
+    this.#marked = sources;
+    this.#viewer.setAreas([
+      ...(attempt?.areas ?? this.#gameAreas(game, call)),
+      ...others,
+      ...(stop ? [stop] : []),
+    ]);
+  }
+
+  #gameAreas(game: Game | null, call: Call | null): Area[] {
     const progress = standing(this.#store, this.#engine);
     const { geometry, balls } = this.#store.shot;
-    const areas = game && progress ? areasOf(game, progress, geometry, balls[0]?.radius ?? 0) : [];
-    this.#viewer.setAreas(areas);
+    return game && progress ? areasOf(call, progress, geometry, balls[0]?.radius ?? 0) : [];
   }
 
   #buffer(balls: number): Float64Array {
@@ -128,17 +176,43 @@ export class Scene {
     this.#viewer.setBalls(states);
   }
 
-  #setPaths(trace: Trace | null, style: "ghost" | "trace"): void {
+  #setPaths(trace: Trace | null, extent: Guide | "trace", guided = false): void {
     // Ghost and replay show the same trace in different styles.
-    if (trace === this.#paths && style === this.#style) return;
+    if (trace === this.#paths && extent === this.#extent && guided === this.#guided) return;
     this.#paths = trace;
-    this.#style = style;
-    const paths = (trace?.shot.balls ?? []).flatMap((_, ball) => {
-      const points = trace!.polyline(ball, PATH_TOLERANCE);
-      return moves(points) ? [{ ball, points, style }] : [];
-    });
-    this.#viewer.setPaths(paths);
+    this.#extent = extent;
+    this.#guided = guided;
+    const paths =
+      trace === null
+        ? []
+        : extent === "short"
+          ? shortPaths(trace, PATH_TOLERANCE)
+          : wholePaths(trace, extent);
+    const long = paths.filter(({ points }) => moves(points));
+    this.stats.paths = long.length;
+    this.#viewer.setPaths([...long, ...(guided && trace ? guideLines(trace) : [])]);
   }
+}
+
+/** The tangent line and the natural angle, in the colour of the cue ball. */
+function guideLines(trace: Trace): BallPath[] {
+  const { struck, balls, geometry } = trace.shot;
+  const guides = guidesOf(trace);
+  if (!guides || struck === null) return [];
+  return [guides.tangent, guides.natural].map((direction) => ({
+    ball: struck,
+    points: lineFrom(guides.from, direction, geometry.size, balls[struck]!.radius),
+    style: "guide",
+  }));
+}
+
+function wholePaths(trace: Trace, extent: Guide | "trace"): BallPath[] {
+  const style = extent === "trace" ? "trace" : "ghost";
+  return trace.shot.balls.map((_, ball) => ({
+    ball,
+    points: trace.polyline(ball, PATH_TOLERANCE),
+    style,
+  }));
 }
 
 /** Whether a path has any length. */
@@ -153,8 +227,18 @@ function pose({ speed, ...strike }: Strike, ball: number): CuePose {
   return { ball, ...strike, pull: Math.min(PULL + PULL_PER_SPEED * speed, LONGEST_PULL) };
 }
 
-/** Ghost balls: the struck ball at its first contact with another ball, and where it stops. */
-function marks(trace: Trace): Mark[] {
+/** The cue during its stroke, `left` seconds before the strike. */
+function stroking({ shot }: Trace, left: number): CuePose | null {
+  if (!shot.strike || shot.struck === null) return null;
+  const start = pose(shot.strike, shot.struck);
+  return { ...start, pull: strokePull(left, start.pull) };
+}
+
+/**
+ * Ghost balls: the struck ball at its first contact with another ball, and where it stops. The short guide
+ * has the first one only, and only on the aim line.
+ */
+function marks(trace: Trace, guide: Guide): Mark[] {
   const { struck, balls } = trace.shot;
   const id = struck === null ? null : balls[struck]!.id;
   if (struck === null || id === null) return [];
@@ -166,12 +250,12 @@ function marks(trace: Trace): Mark[] {
       balls.length > 1 &&
       balls.includes(id),
   );
-  if (contact) {
+  if (contact && (guide === "full" || contact === firstMeeting(trace))) {
     const { position } = contact.before[contact.balls.indexOf(id)]!;
     found.push({ position, kind: "ghost-ball", ball: struck });
   }
   const { pocketed, off_table } = trace.outcome;
-  if (!off_table.includes(id) && !pocketed.some(([ball]) => ball === id)) {
+  if (guide === "full" && !off_table.includes(id) && !pocketed.some(([ball]) => ball === id)) {
     const end = trace.statesAt(trace.duration);
     found.push({ position: place(end, struck), kind: "ghost-ball", ball: struck });
   }

@@ -10,6 +10,8 @@ import { errorText } from "./common/refusals.ts";
 import { FIRST_VIEW, type Document, type View } from "./document/document.ts";
 import { cannotOpen, documentOf, readFile } from "./document/file.ts";
 import type { Store } from "./document/store.ts";
+import { LESSONS } from "./help/lessons.ts";
+import { hasSeenOpening } from "./help/opening.ts";
 import { replay } from "./replay/control.ts";
 import { type LinkContents, readAddress, showTime } from "./share/address.ts";
 import { LinkError } from "./share/link.ts";
@@ -19,22 +21,15 @@ import { t } from "./words/translate.ts";
 export interface Start {
   readonly document: Document;
   readonly view: View;
-  /** Whether to show the first steps: the page was opened without a document or a link. */
+  /** Whether to begin with the first steps: the page was opened for the first time, without a document. */
   readonly welcome: boolean;
   /** Runs once the page is mounted: shows a replay, or reports what could not be opened. */
   then(store: Store, context: Context): void;
 }
 
-/** The first shot: a cut into a corner pocket, with two more balls for the next shots. */
+/** The first shot without the first steps: their first one, aimed at the pocket. */
 const FIRST_SHOT: ShotFile = {
-  format: "carom-shot/1",
-  table: "wpa-9ft",
-  balls: [
-    { id: "cue", position: [0.42, 0.72] },
-    { id: "9", position: [0.86, 1.74] },
-    { id: "1", position: [0.35, 1.62] },
-    { id: "3", position: [0.98, 0.9] },
-  ],
+  ...LESSONS[0]!.shot,
   strike: { ball: "cue", speed: 2, azimuth_deg: 66.8, height: -0.2 },
 };
 
@@ -46,7 +41,9 @@ export function startOf(engine: Engine): Start {
   const kept = fromLink(engine, first, takeKept);
   if (kept) return kept;
   if (embedded !== "") return fromEmbedded(engine, first, embedded, plays);
-  return fromLink(engine, first, readAddress) ?? { ...showing(first), welcome: true };
+  const linked = fromLink(engine, first, readAddress);
+  if (linked || hasSeenOpening()) return linked ?? showing(first);
+  return { ...showing(documentOf(LESSONS[0]!.shot)), welcome: true };
 }
 
 /**

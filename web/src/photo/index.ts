@@ -7,6 +7,8 @@ import { type PhotoLanguage, setLanguage, TEXTS } from "./texts.ts";
 
 export type { PhotoOptions } from "./dialog/dialog.ts";
 export type { PhotoLanguage } from "./texts.ts";
+export { trayOf } from "./draft.ts";
+export { type Bed, bed } from "./geometry/settle.ts";
 
 /** Adds the button that opens the dialog. */
 export function mountPhoto(

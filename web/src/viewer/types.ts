@@ -30,8 +30,8 @@ export type Quality = "auto" | "low" | "high";
 export interface BallPath {
   ball: number;
   points: Float64Array;
-  /** `ghost`: a prediction, light and dashed. `trace`: a played shot. */
-  style: "ghost" | "trace";
+  /** `ghost`: a prediction, light and dashed. `trace`: a played shot. `guide`: a thin line to aim by. */
+  style: "ghost" | "trace" | "guide";
 }
 
 /** The cue behind the ball that it strikes. */

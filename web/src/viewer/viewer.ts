@@ -7,6 +7,7 @@ import { Rig } from "./camera/rig";
 import { Areas } from "./overlay/areas";
 import { Cue } from "./overlay/cue";
 import { Highlight } from "./overlay/highlight";
+import type { Density } from "./overlay/density";
 import { Fan } from "./overlay/fan";
 import { Lines } from "./overlay/lines";
 import { Marks } from "./overlay/marks";
@@ -70,6 +71,7 @@ export class Viewer {
   readonly #highlight = new Highlight();
   readonly #aim = new Lines({ width: 1.1, opacity: 0.3 });
   readonly #fan = new Fan();
+  readonly #zone = new Fan();
   readonly #cue = new Cue();
   readonly #areas = new Areas();
   readonly #marks = new Marks();
@@ -111,6 +113,7 @@ export class Viewer {
       this.#table.group,
       this.#areas.group,
       this.#fan.group,
+      this.#zone.group,
       this.#balls.group,
       this.#paths.group,
       this.#highlight.group,
@@ -129,6 +132,11 @@ export class Viewer {
   /** Whether a call of {@link render} would draw something new. */
   get needsFrame(): boolean {
     return this.#dirty || this.#rig.flying || this.#pulses;
+  }
+
+  /** Whether the camera moves from one view to another. */
+  get flying(): boolean {
+    return this.#rig.flying;
   }
 
   /** `top`, `orbit` (turned by drag, wheel and pinch) or `cue` (behind the cue). */
@@ -265,6 +273,14 @@ export class Viewer {
     this.#invalidate();
   }
 
+  /** Shows a density over the playing area, such as chances by place; null removes it. */
+  setZone(density: Density | null): void {
+    const size = this.#geometry?.size;
+    if (density && size) this.#zone.setHeat(density, [0, 0], size);
+    else this.#zone.clear();
+    this.#invalidate();
+  }
+
   /** Places the cue at its ball and draws the line of aim; null removes both. */
   setCue(cue: CuePose | null): void {
     this.#pose = cue;
@@ -392,6 +408,7 @@ export class Viewer {
       this.#aim,
       this.#areas,
       this.#fan,
+      this.#zone,
       this.#cue,
       this.#marks,
       this.#lighting,

@@ -6,7 +6,13 @@
 import { execFileSync } from "node:child_process";
 import { existsSync, mkdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
-import { type Browser, type BrowserContextOptions, chromium, type Page } from "playwright-core";
+import {
+  type Browser,
+  type BrowserContextOptions,
+  chromium,
+  type Download,
+  type Page,
+} from "playwright-core";
 import { expect, inject, test as base } from "vitest";
 import type { ShotFile, TraceFile } from "../../src/engine/index.ts";
 import type { Quality } from "../../src/viewer/types.ts";
@@ -24,7 +30,7 @@ export interface OpenOptions extends BrowserContextOptions {
   readonly hash?: string;
   /** Address of another page. */
   readonly url?: string;
-  /** Whether the first steps stay open. Default false. */
+  /** Whether the page opens for the first time in this browser, with the first steps. Default false. */
   readonly firstSteps?: boolean;
   /** Quality of the drawing. Default coarse, because software draws it. */
   readonly quality?: Drawing;
@@ -73,9 +79,14 @@ class Tabs {
   }
 
   /** An empty tab. */
-  async take(fixed: BrowserContextOptions, quality: Drawing, origin: string): Promise<Page> {
-    const kind = JSON.stringify([fixed, quality, origin]);
-    const page = this.#free.get(kind)?.pop() ?? (await this.#create(fixed, quality));
+  async take(
+    fixed: BrowserContextOptions,
+    quality: Drawing,
+    origin: string,
+    isFirst: boolean,
+  ): Promise<Page> {
+    const kind = JSON.stringify([fixed, quality, origin, isFirst]);
+    const page = this.#free.get(kind)?.pop() ?? (await this.#create(fixed, quality, isFirst));
     this.#used.push({ kind, page });
     return page;
   }
@@ -98,9 +109,21 @@ class Tabs {
     this.#free.set(kind, [...(this.#free.get(kind) ?? []), page]);
   }
 
-  async #create(fixed: BrowserContextOptions, quality: Drawing): Promise<Page> {
-    const context = await this.#browser.newContext({ locale: "en-GB", ...fixed });
+  async #create(fixed: BrowserContextOptions, quality: Drawing, isFirst: boolean): Promise<Page> {
+    const context = await this.#browser.newContext({
+      locale: "en-GB",
+      serviceWorkers: "block",
+      ...fixed,
+    });
     context.setDefaultTimeout(WAITING);
+    await context.addInitScript((first) => {
+      try {
+        if (first) localStorage.removeItem("carom-first-steps");
+        else localStorage.setItem("carom-first-steps", "1");
+      } catch {
+        // A frame of another origin has no storage.
+      }
+    }, isFirst);
     // Before the first picture, and before every later one.
     await context.addInitScript(
       ([level, scale]) => {
@@ -148,7 +171,7 @@ export const test = base.extend<Fixtures>({
           ...fixed
         } = options;
         const address = (url ?? inject("page")) + hash;
-        const page = await tabs.take(fixed, quality, new URL(address).protocol);
+        const page = await tabs.take(fixed, quality, new URL(address).protocol, firstSteps);
         page.on("console", (message) => {
           if (message.type() === "error") errors.push(message.text());
         });
@@ -161,13 +184,6 @@ export const test = base.extend<Fixtures>({
           undefined,
           { timeout: STARTING },
         );
-        if (!firstSteps) {
-          await page.evaluate(() => {
-            [...document.querySelectorAll("button")]
-              .find(({ textContent }) => textContent === "Skip")
-              ?.click();
-          });
-        }
         return page;
       },
     );
@@ -197,6 +213,20 @@ export async function settled(page: Page): Promise<void> {
         requestAnimationFrame(() => requestAnimationFrame(look));
       }),
   );
+}
+
+/** Presses a tool of the header. On a narrow screen it is in a menu. */
+export async function pressTool(page: Page, name: string): Promise<void> {
+  const button = page.getByRole("button", { name, exact: true });
+  if (!(await button.isVisible())) await page.locator("#tools-button").click();
+  await button.click();
+}
+
+/** The contents of a saved file. */
+export async function contentsOf(file: Download): Promise<Buffer> {
+  const chunks: Buffer[] = [];
+  for await (const chunk of await file.createReadStream()) chunks.push(chunk as Buffer);
+  return Buffer.concat(chunks);
 }
 
 /** Position of a place of the table (m) on the page (px). */

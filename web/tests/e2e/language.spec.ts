@@ -6,7 +6,7 @@ import type { Page } from "playwright-core";
 import { inject } from "vitest";
 import { CATALOGUES, type Language } from "../../src/app/words/catalogue.ts";
 import type { ShotFile } from "../../src/engine/index.ts";
-import { expect, PHONE, settled, shotOf, test } from "./fixture.ts";
+import { expect, PHONE, pressTool, settled, shotOf, test } from "./fixture.ts";
 
 const LOCALES = { de: "de-DE", zh: "zh-CN" } as const;
 
@@ -67,18 +67,22 @@ for (const language of ["de", "zh"] as const) {
       { de: "de", zh: "zh-Hans" }[language],
     );
     await press("steps.skip");
-    for (const tab of ["aim", "layout", "physics", "whatif", "game"] as const) {
+    for (const tab of ["aim", "layout", "physics", "whatif"] as const) {
       await page.getByRole("tab", { name: text(`tab.${tab}`) }).click();
       await page.evaluate(() =>
         document.querySelectorAll("details").forEach((each) => (each.open = true)),
       );
       await check(tab);
     }
+    for (const activity of ["play", "train", "analyse"] as const) {
+      await page.getByRole("radio", { name: text(`activity.${activity}`) }).click();
+      await check(activity);
+    }
     for (const [dialog, close] of [
       ["page.help", "help.close"],
       ["share.share", "share.close"],
     ] as const) {
-      await press(dialog);
+      await pressTool(page, text(dialog));
       await check(dialog);
       await press(close);
     }
@@ -90,7 +94,7 @@ for (const language of ["de", "zh"] as const) {
     await check("replay");
     await page.getByRole("tab", { name: text("tab.aim") }).click();
     await page.keyboard.press("Escape");
-    await page.getByRole("tab", { name: text("tab.game") }).click();
+    await page.getByRole("radio", { name: text("activity.play") }).click();
     await press("setup.start");
     await check("a game");
   });
@@ -128,7 +132,7 @@ test("another language is chosen, and the shot, the game and the view stay", asy
     units: "km/h",
   });
 
-  await page.getByRole("tab", { name: "Spiel" }).click();
+  await page.getByRole("radio", { name: "Spielen" }).click();
   await page.getByRole("button", { name: "Spiel beginnen" }).click();
   const game = await contents();
   expect(game.game).not.toBeNull();
@@ -136,7 +140,10 @@ test("another language is chosen, and the shot, the game and the view stay", asy
   expect(await contents()).toEqual(game);
   // The choice outlives the page, what was kept does not.
   expect(await page.evaluate(() => Object.keys(sessionStorage))).toEqual([]);
-  expect(await page.evaluate(() => Object.keys(localStorage))).toEqual(["carom-language"]);
+  expect((await page.evaluate(() => Object.keys(localStorage))).sort()).toEqual([
+    "carom-first-steps",
+    "carom-language",
+  ]);
 });
 
 test("a change of an embedded document outlives the choice of a language", async ({ open }) => {

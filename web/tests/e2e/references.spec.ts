@@ -56,6 +56,8 @@ async function whatIf(page: Page): Promise<void> {
   await page.getByRole("tab", { name: "What if" }).click();
   await page.getByRole("switch").check();
   await page.locator("#variants[data-done=true]").waitFor();
+  // The sheet covers a part of the table.
+  await page.getByRole("tab", { name: "What if" }).click();
 }
 
 async function aim(page: Page): Promise<void> {
@@ -75,6 +77,11 @@ for (const [name, viewport, colorScheme, prepare] of [
     await prepare(page);
     await page.evaluate(() => (document.activeElement as HTMLElement | null)?.blur());
     await settled(page);
+    // The chance beside Shoot comes from a worker.
+    await page.waitForFunction(() => {
+      const { empty, stale } = document.getElementById("chance-chip")!.dataset;
+      return empty === "true" || stale === undefined;
+    });
     const file = `${name.replaceAll(" ", "-")}.png`;
     const taken = await page.screenshot({ animations: "disabled", caret: "hide" });
     if (WRITE) {

@@ -1,8 +1,9 @@
 /** Before all end-to-end tests: builds the page, serves it, and starts the browser that they share. */
 
-import { readFileSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { createServer } from "node:http";
 import type { AddressInfo } from "node:net";
+import { extname } from "node:path";
 import { fileURLToPath } from "node:url";
 import { chromium } from "playwright-core";
 import { build } from "vite";
@@ -19,6 +20,13 @@ declare module "vitest" {
     browser: string;
   }
 }
+
+const TYPES: Readonly<Record<string, string>> = {
+  ".html": "text/html; charset=utf-8",
+  ".js": "text/javascript; charset=utf-8",
+  ".png": "image/png",
+  ".webmanifest": "application/manifest+json",
+};
 
 const FLAGS = [
   // Chromium refuses to start as root with its sandbox, as in a container.
@@ -42,10 +50,12 @@ export default async function setup({ name, provide }: TestProject): Promise<() 
   const root = fileURLToPath(new URL("../..", import.meta.url));
   const file = `${root}dist/index.html`;
   await build({ root, logLevel: "warn", configFile: `${root}vite.config.ts` });
-  const html = readFileSync(file);
-  const server = createServer((_request, response) => {
-    response.setHeader("content-type", "text/html; charset=utf-8");
-    response.end(html);
+  // Another path of the host is the page too: tests open it at addresses of their own.
+  const files = new Map(readdirSync(`${root}dist`).map((name) => [`/${name}`, name]));
+  const server = createServer(({ url = "/" }, response) => {
+    const name = files.get(url) ?? "index.html";
+    response.setHeader("content-type", TYPES[extname(name)]!);
+    response.end(readFileSync(`${root}dist/${name}`));
   });
   await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
   const browser = await chromium.launchServer({

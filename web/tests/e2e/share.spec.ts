@@ -2,7 +2,7 @@ import { readFileSync } from "node:fs";
 import type { Page } from "playwright-core";
 import type { ShotFile, TraceFile } from "../../src/engine/index.ts";
 import { toFragment } from "../../src/app/share/link.ts";
-import { expect, native, picture, shotOf, SMALL, test } from "./fixture.ts";
+import { contentsOf, expect, native, picture, shotOf, pressTool, SMALL, test } from "./fixture.ts";
 import { python } from "./python.ts";
 
 const ROOT = new URL("../../../", import.meta.url);
@@ -19,7 +19,7 @@ const CLIPBOARD = { permissions: ["clipboard-read", "clipboard-write"] };
 const hash = (page: Page) => page.evaluate(() => window.carom!.store.ghost.trace!.hash);
 
 async function openShare(page: Page): Promise<void> {
-  await page.getByRole("button", { name: "Share" }).click();
+  await pressTool(page, "Share");
 }
 
 async function download(page: Page, button: string): Promise<{ name: string; content: Buffer }> {
@@ -27,9 +27,7 @@ async function download(page: Page, button: string): Promise<{ name: string; con
     page.waitForEvent("download", { timeout: 100_000 }),
     page.getByRole("button", { name: button }).click(),
   ]);
-  const chunks: Buffer[] = [];
-  for await (const chunk of await file.createReadStream()) chunks.push(chunk as Buffer);
-  return { name: file.suggestedFilename(), content: Buffer.concat(chunks) };
+  return { name: file.suggestedFilename(), content: await contentsOf(file) };
 }
 
 async function copied(page: Page, button: string): Promise<string> {
@@ -224,7 +222,7 @@ test("a file can be chosen with a button", async ({ open }) => {
   const page = await open();
   const [chooser] = await Promise.all([
     page.waitForEvent("filechooser"),
-    page.getByRole("button", { name: "Open" }).click(),
+    page.getByRole("button", { name: "Open", exact: true }).click(),
   ]);
   const buffer = Buffer.from(example("masse"));
   await chooser.setFiles({ name: "masse.json", mimeType: "application/json", buffer });

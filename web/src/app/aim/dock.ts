@@ -1,20 +1,31 @@
 /** Below the table: the predicted outcome of the shot, and the button that plays it. */
 
+import type { Trace } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, icon, setText, shortened } from "../common/dom.ts";
+import { shownGuide } from "../document/guide.ts";
 import { raiseTheCue } from "../document/strike.ts";
-import { canAim } from "../game/play.ts";
+import { guideText } from "../game/guide/words.ts";
+import { canAim } from "../game/turn.ts";
 import type { Store } from "../document/store.ts";
 import { obstruction, summary } from "../common/words.ts";
 import { firstContact } from "../pot/contact.ts";
-import { lockText } from "../pot/words.ts";
+import { hitText, lockText } from "../pot/words.ts";
+import { drawFace, spokenOffset } from "./face.ts";
+import { mountPower } from "./power.ts";
 import { shoot, takeItFromHere } from "./shoot.ts";
 import { paragraph, t } from "../words/translate.ts";
 
 /** Time (ms) without a change after which the outcome is read to screen readers. */
 const REST = 600;
 
-export function mountDock(root: HTMLElement, store: Store, context: Context): void {
+/** @param openAim Shows the panel with the tip and the other numbers of the strike. */
+export function mountDock(
+  root: HTMLElement,
+  store: Store,
+  context: Context,
+  openAim: () => void,
+): void {
   const text = h("p", { class: "outcome", id: "outcome" });
   const warning = h("p", { class: "warning" });
   const remedy = h(
@@ -34,9 +45,11 @@ export function mountDock(root: HTMLElement, store: Store, context: Context): vo
     t("aim.shoot"),
   );
   const spoken = h("p", { class: "unseen", role: "status", "aria-live": "polite" });
+  const power = h("div", { class: "power" });
+  mountPower(power, store, context);
   root.append(
     h("div", { class: "outcome-text" }, text, h("div", { class: "row" }, warning, remedy)),
-    button,
+    h("div", { class: "strike" }, spinButton(store, openAim), power, button),
     spoken,
   );
 
@@ -46,10 +59,17 @@ export function mountDock(root: HTMLElement, store: Store, context: Context): vo
     root.hidden = !canAim(store, context.engine);
     if (store.session.mode !== "aim" || root.hidden) return;
     const { trace, error } = store.ghost;
-    const { lock } = store.session;
-    const aim = lock && trace ? lockText(lock, firstContact(trace)) : "";
+    const { lock, attempt } = store.session;
+    const guide = shownGuide(store);
+    const contact = trace && firstContact(trace);
+    const aim = lock && trace ? lockText(lock, contact) : "";
+    const hit = !lock && contact ? hitText(contact) : "";
     const obstacle = trace ? obstruction(trace.outcome) : null;
-    setText(text, trace ? paragraph([aim, ...summary(trace)]) : (error ?? ""));
+    const said = (seen: Trace) =>
+      guide === "full"
+        ? paragraph([aim, ...withHit(summary(seen), hit)])
+        : aim || guideText(seen, guide);
+    setText(text, paragraph([attempt?.text ?? "", trace ? said(trace) : (error ?? "")]));
     setText(warning, obstacle ?? "");
     warning.hidden = obstacle === null;
     remedy.hidden = obstacle === null || trace?.outcome.least_elevation_deg === null;
@@ -64,10 +84,33 @@ export function mountDock(root: HTMLElement, store: Store, context: Context): vo
     const isSame =
       now.document === before.document &&
       now.session.mode === before.session.mode &&
-      now.session.lock === before.session.lock;
+      now.session.turn === before.session.turn &&
+      now.session.lock === before.session.lock &&
+      now.session.attempt === before.session.attempt;
     if (!isSame) context.loop.input(root, show);
   });
   show();
+}
+
+/** The outcome, whose first sentence tells what is hit, with how it is hit. */
+function withHit([first = "", ...rest]: readonly string[], hit: string): string[] {
+  return [first, hit, ...rest];
+}
+
+/** A small cue ball with the tip position; it opens the panel that changes it. */
+function spinButton(store: Store, open: () => void): HTMLButtonElement {
+  const { drawing, show } = drawFace();
+  const button = h("button", { type: "button", class: "spin-button", onclick: open }, drawing);
+  const follow = (): void => {
+    const { side = 0, height = 0 } = store.document.shot.strike;
+    show(store.shot.miscueLimit, [side, height]);
+    button.setAttribute("aria-label", t("face.position", { offset: spokenOffset(side, height) }));
+  };
+  store.subscribe((now, before) => {
+    if (now.document !== before.document) follow();
+  });
+  follow();
+  return button;
 }
 
 /** The button that continues from the end of the replay, beside the one that ends the replay. */

@@ -12,6 +12,9 @@ const STEP = 0.02;
 
 /** Decimals of an offset in ball radii: 0.001 is 0.03 mm. */
 const DIGITS = 3;
+const SCALE = 10 ** DIGITS;
+/** The most by which rounding moves an offset outwards. */
+const ROUNDING = 1 / SCALE;
 
 const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowLeft: [-1, 0],
@@ -20,10 +23,17 @@ const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
   ArrowDown: [0, -1],
 };
 
-export function mountFace(root: HTMLElement, store: Store, context: Context): void {
+/**
+ * The picture of the face.
+ *
+ * @returns The picture, and a function that shows the miscue limit and the tip's offset, in ball radii.
+ */
+export function drawFace(): {
+  readonly drawing: SVGSVGElement;
+  readonly show: (limit: number, offset: readonly [side: number, height: number]) => void;
+} {
   const limit = svg("circle", { class: "face-limit" });
   const dot = svg("circle", { class: "face-tip", r: 0.1 });
-  const tried = svg("circle", { class: "face-tried", r: 0.1 });
   const drawing = svg(
     "svg",
     { viewBox: "-1.08 -1.08 2.16 2.16", "aria-hidden": "true" },
@@ -31,8 +41,30 @@ export function mountFace(root: HTMLElement, store: Store, context: Context): vo
     svg("path", { class: "face-cross", d: "M-1 0H1M0 -1V1" }),
     limit,
     dot,
-    tried,
   );
+  const show = (radius: number, [side, height]: readonly [number, number]): void => {
+    limit.setAttribute("r", String(radius));
+    at(dot, side, height);
+  };
+  return { drawing, show };
+}
+
+/** The nearest offset within the miscue limit, ball radii, rounded towards the centre. */
+export function withinLimit(
+  [side, height]: readonly [number, number],
+  limit: number,
+): readonly [number, number] {
+  const out = Math.hypot(side, height);
+  if (out <= limit - ROUNDING) return [round(side, DIGITS), round(height, DIGITS)];
+  const inward = (value: number) =>
+    round(Math.trunc((value / out) * limit * SCALE) / SCALE, DIGITS);
+  return [inward(side), inward(height)];
+}
+
+export function mountFace(root: HTMLElement, store: Store, context: Context): void {
+  const { drawing, show: draw } = drawFace();
+  const tried = svg("circle", { class: "face-tried", r: 0.1 });
+  drawing.append(tried);
   const face = h(
     "div",
     {
@@ -47,15 +79,13 @@ export function mountFace(root: HTMLElement, store: Store, context: Context): vo
   root.append(face);
 
   const fine = (event: { shiftKey: boolean }) => (store.session.fine || event.shiftKey ? FINE : 1);
-  const put = (side: number, height: number, group: string) =>
-    store.strike(
-      { side: round(side, DIGITS), height: round(height, DIGITS) },
-      t("change.tip"),
-      group,
-    );
+  const put = (side: number, height: number, group: string) => {
+    const offset = withinLimit([side, height], store.shot.miscueLimit);
+    return store.strike({ side: offset[0], height: offset[1] }, t("change.tip"), group);
+  };
 
   let last: { x: number; y: number } | null = null;
-  /** The offset at the pointer, even if the engine refuses it. */
+  /** The offset at the pointer, which may be beyond the miscue limit. */
   let wanted = { side: 0, height: 0 };
 
   face.addEventListener("pointerdown", (event) => {
@@ -95,9 +125,6 @@ export function mountFace(root: HTMLElement, store: Store, context: Context): vo
         height: wanted.height - (event.clientY - last.y) * scale * FINE,
       };
     }
-    // Outside the ball, use its edge.
-    const out = Math.hypot(wanted.side, wanted.height);
-    if (out > 1) wanted = { side: wanted.side / out, height: wanted.height / out };
     last = { x: event.clientX, y: event.clientY };
     put(wanted.side, wanted.height, "face");
   }
@@ -120,13 +147,12 @@ export function mountFace(root: HTMLElement, store: Store, context: Context): vo
 
   function show(): void {
     const { side = 0, height = 0 } = store.document.shot.strike;
-    limit.setAttribute("r", String(store.shot.miscueLimit));
-    at(dot, side, height);
+    draw(store.shot.miscueLimit, [side, height]);
     const attempt = store.session.refusal?.attempt?.strike;
     const off = attempt && (attempt.side !== side || attempt.height !== height);
     tried.style.display = off ? "" : "none";
     if (off) at(tried, attempt.side ?? 0, attempt.height ?? 0);
-    face.setAttribute("aria-label", t("face.position", { offset: spoken(side, height) }));
+    face.setAttribute("aria-label", t("face.position", { offset: spokenOffset(side, height) }));
   }
   store.subscribe(show);
   show();
@@ -138,7 +164,7 @@ function at(circle: SVGCircleElement, side: number, height: number): void {
 }
 
 /** An offset in words, in percent of the ball's radius. */
-export function spoken(side: number, height: number): string {
+export function spokenOffset(side: number, height: number): string {
   const part = (value: number, plus: OffsetKey, minus: OffsetKey) => {
     const percent = round(Math.abs(value) * 100, 1);
     return value === 0 ? "" : t(value > 0 ? plus : minus, { percent });

@@ -38,6 +38,22 @@ export function mountAimPanel(root: HTMLElement, store: Store, context: Context)
   mountElevation(root, store, context);
   mountDirection(root, store, context);
   mountStruck(root, store);
+  mountGuides(root, store);
+}
+
+/** The switch of the tangent line and the natural angle. */
+function mountGuides(root: HTMLElement, store: Store): void {
+  const box = h("input", { type: "checkbox", id: uniqueId("guides"), role: "switch" });
+  box.addEventListener("change", () => {
+    store.setSession({ guides: box.checked });
+  });
+  store.subscribe(({ session }) => {
+    box.checked = session.guides;
+  });
+  root.append(
+    h("div", { class: "switch row" }, box, h("label", { for: box.id }, t("aim.guides"))),
+    h("p", { class: "hint" }, t("aim.guides-hint")),
+  );
 }
 
 function mountOffsets(root: HTMLElement, store: Store, context: Context): void {

@@ -1,11 +1,14 @@
 /** Plays the aimed shot, and continues from where its balls stop. */
 
-import type { Trace } from "../../engine/index.ts";
+import { CaromError, type Noise, type Shot, type Trace } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
+import { errorText } from "../common/refusals.ts";
 import { ballName } from "../common/words.ts";
 import type { Store } from "../document/store.ts";
 import { automatic, changed } from "../document/strike-angles.ts";
 import { playShot } from "../game/play.ts";
+import { ballsAfter, treeEngine } from "../document/after.ts";
+import { MOST_NODES, NO_TREE, withShot } from "../document/tree.ts";
 import { replay } from "../replay/control.ts";
 import { sentence, t } from "../words/translate.ts";
 
@@ -24,29 +27,46 @@ export function shoot(store: Store, context: Context): void {
     store.refuse(t("error.unplayable", { why: error ?? "" }));
     return;
   }
+  const { attempt } = store.session;
+  let played = trace;
+  try {
+    if (attempt?.errors) played = withErrors(store.shot, attempt.errors, attempt.seed);
+  } catch (error) {
+    if (!(error instanceof CaromError)) throw error;
+    store.refuse(t("error.unplayable", { why: errorText(error, store.shot.balls) }));
+    return;
+  }
   const still = context.reducedMotion();
   store.settle();
-  replay(store, trace, still ? trace.duration : 0, !still);
+  if (store.session.activity === "analyse" && !attempt) keep(store, context);
+  replay(store, played, still ? played.duration : 0, !still);
+}
+
+/** The shot as a player with these errors plays it. */
+function withErrors(shot: Shot, errors: Noise, seed: number): Trace {
+  return shot.variant(errors, 0, { seed }).simulate();
+}
+
+/** Adds the aimed shot to the tree of the analysis. */
+function keep(store: Store, { engine }: Context): void {
+  const { shot, tree = NO_TREE } = store.document;
+  const next = withShot(tree, shot, treeEngine(engine).endOf);
+  if (next.nodes.length > MOST_NODES) store.refuse(t("tree.too-many", { most: MOST_NODES }));
+  else if (next.at !== tree.at) store.apply({ tree: next }, t("change.node"));
 }
 
 /** Makes the end of the replayed shot the new layout. */
 export function takeItFromHere(store: Store, context: Context): void {
   const { trace } = store.session;
   if (!trace || store.document.game) return;
-  const left = trace.shot.balls.filter((_, index) => !gone(trace, index));
-  const cue = store.document.shot.strike.ball;
-  const struck = left.some(({ id }) => id === cue) ? cue : left[0]?.id;
+  const { shot } = store.document;
+  const balls = ballsAfter(trace, shot);
+  const cue = shot.strike.ball;
+  const struck = balls.some(({ id }) => id === cue) ? cue : balls[0]?.id;
   if (struck === undefined) {
     store.refuse(t("aim.no-ball-left"));
     return;
   }
-  const { shot } = store.document;
-  const entries = new Map(shot.balls.map((ball) => [ball.id, ball]));
-  const balls = left.map(({ id }) => {
-    const { mass, radius } = entries.get(id) ?? {};
-    const [x, y] = endOf(trace, id);
-    return { id, position: [x, y] as const, ...(mass && { mass }), ...(radius && { radius }) };
-  });
   store.setSession({ lock: null });
   // The next shot starts at the centre and at the automatic elevation: both rarely carry over.
   const strike = automatic(changed(shot.strike, { ball: struck, side: 0, height: 0 }));
@@ -55,17 +75,4 @@ export function takeItFromHere(store: Store, context: Context): void {
     const names = { ball: ballName(cue), struck: ballName(struck) };
     context.announce(sentence(t("aim.other-struck", names)));
   }
-}
-
-function endOf(trace: Trace, id: string): readonly [number, number] {
-  const index = trace.shot.balls.findIndex((ball) => ball.id === id);
-  const states = trace.statesAt(trace.duration);
-  const stride = states.length / trace.shot.balls.length;
-  return [states[index * stride]!, states[index * stride + 1]!];
-}
-
-function gone(trace: Trace, index: number): boolean {
-  const { id } = trace.shot.balls[index]!;
-  const { pocketed, off_table } = trace.outcome;
-  return pocketed.some(([ball]) => ball === id) || off_table.includes(id);
 }

@@ -10,6 +10,9 @@ export const SPEED_UNITS: Readonly<Record<SpeedUnit, number>> = {
   mph: 1609.344 / 3600,
 };
 
+/** Offset of a tip, as players count English, in ball radii: three tips are at the edge of a miscue. */
+export const TIP = 1 / 6;
+
 /** `v` (m/s) as a number in `unit`. */
 export function speedIn(unit: SpeedUnit, v: number): number {
   return v / SPEED_UNITS[unit];

@@ -1,6 +1,7 @@
 /** Names of balls and places, and the outcome of a shot in short sentences. */
 
 import type { Outcome, PocketName, RailName, Trace } from "../../engine/index.ts";
+import { seenPocket, seenRail } from "./seen.ts";
 import { decimal, named, sentence, t } from "../words/translate.ts";
 
 /** Lowest hop (m) that is reported: nearly every elevated cue makes the ball hop a little. */
@@ -31,14 +32,14 @@ const BALLS: readonly string[] = [
   "black",
 ];
 
-/** A pocket's name, as in "top left". */
+/** A pocket's name in the picture, as in "top left". */
 export function pocketName(pocket: PocketName): string {
-  return t(`pocket.${pocket}`);
+  return t(`pocket.${seenPocket(pocket)}`);
 }
 
-/** A rail's name within a sentence. */
+/** A rail's name in the picture, within a sentence. */
 export function railName(rail: RailName): string {
-  return t(`rail.${rail}`);
+  return t(`rail.${seenRail(rail)}`);
 }
 
 /** A length (m) as text: in mm below 1 m, else in m. */
@@ -56,9 +57,13 @@ export function obstruction(outcome: Outcome): string | null {
 
 /** The warning that a ball or a rail is in the way. `least` clears it, degrees; null: nothing does. */
 export function obstructionBy(by: string, least: number | null): string {
-  const obstacle = named("rail", by) ?? ballName(by);
+  const obstacle = isRail(by) ? railName(by) : ballName(by);
   if (least === null) return t("obstruction.turn", { obstacle });
   return t("obstruction.raise", { obstacle, degrees: raised(least) });
+}
+
+function isRail(name: string): name is RailName {
+  return named("rail", name) !== null;
 }
 
 /** The least elevation that clears the obstacle, rounded up to a tenth of a degree. */

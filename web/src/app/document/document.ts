@@ -1,11 +1,14 @@
 /** The state of the page: the document, the view and the session. */
 
-import type { Noise, PocketName, ShotFile, StrikeEntry, Trace } from "../../engine/index.ts";
+import type { Noise, PocketName, Trace } from "../../engine/index.ts";
+import type { Area, Density } from "../../viewer/index.ts";
+import type { Turn } from "../common/seen.ts";
 import type { SpeedUnit } from "../common/units.ts";
+import type { AimedShot } from "./aimed-shot.ts";
 import type { Game } from "./game.ts";
+import type { Tree } from "./tree.ts";
 
-/** A shot file with a strike. */
-export type AimedShot = ShotFile & { readonly strike: StrikeEntry };
+export type { AimedShot };
 
 /** Everything that undo can restore. Immutable. */
 export interface Document {
@@ -16,6 +19,8 @@ export interface Document {
   readonly seed: number;
   /** The game that is being played; null: free play. */
   readonly game: Game | null;
+  /** The shots that were played in the analysis. */
+  readonly tree?: Tree | undefined;
 }
 
 export type Theme = "auto" | "light" | "dark";
@@ -51,11 +56,38 @@ export interface PotLock {
   readonly losesCueBall: boolean;
 }
 
+/** What the analysis shows on the table while the user looks at one of its results. */
+export interface Preview {
+  /** A shot that is shown in place of the aimed one; null: the aimed one. */
+  readonly trace: Trace | null;
+  readonly areas: readonly Area[];
+}
+
+/** What the page is used for; it decides which panels are shown. */
+export type Activity = "analyse" | "play" | "train";
+
+/** An attempt of a drill or a puzzle. While it is aimed, the page does not show how the shot ends. */
+export interface Attempt {
+  /** What to do, and how the last attempt went. */
+  readonly text: string;
+  /** Areas that are marked on the cloth. */
+  readonly areas: readonly Area[];
+  /** The pocket that is lit until the shot is changed. */
+  readonly pocket?: PocketName;
+  /** Errors that the strike gets when it is played; null: it is played as it is aimed. */
+  readonly errors: Noise | null;
+  /** Seed of the errors. */
+  readonly seed: number;
+}
+
 /** Temporary state: neither undone nor part of a link. */
 export interface Session {
+  readonly activity: Activity;
   readonly mode: "aim" | "replay";
   /** The shot that is replayed; null while aiming. */
   readonly trace: Trace | null;
+  /** Seconds of wall time until the cue strikes the ball; 0 from then on. */
+  readonly stroke: number;
   /** Time of the replay, s since the strike. */
   readonly time: number;
   readonly playing: boolean;
@@ -66,8 +98,20 @@ export interface Session {
   /** The pot at which the cue is aimed; null if it is aimed freely. */
   readonly lock: PotLock | null;
   readonly refusal: Refusal | null;
+  readonly attempt: Attempt | null;
   /** Whether replays sound. */
   readonly sound: boolean;
+  /** How the picture shows the table; names of pockets and rails depend on it. */
+  readonly turn: Turn;
+  readonly preview: Preview | null;
+  /** Chances over the cloth, such as those of the next ball; null: none are shown. */
+  readonly zone: Density | null;
+  /** Level of play of the analysis, a preset of noise, unless the document has a noise. */
+  readonly level: string;
+  /** The game in which the analysis values a free layout; null: the one that fits it best. */
+  readonly rules: string | null;
+  /** Whether the tangent line and the natural angle are drawn. */
+  readonly guides: boolean;
   /** Fine adjustment: drags and keys have a tenth of their effect. */
   readonly fine: boolean;
 }
@@ -75,14 +119,23 @@ export interface Session {
 export const FIRST_VIEW: View = { theme: "auto", camera: "top", units: "m/s" };
 
 export const FIRST_SESSION: Session = {
+  activity: "analyse",
   mode: "aim",
   trace: null,
+  stroke: 0,
   time: 0,
   playing: false,
   rate: 1,
   selected: null,
   lock: null,
   refusal: null,
+  attempt: null,
   sound: true,
+  turn: 0,
+  preview: null,
+  zone: null,
+  level: "club",
+  rules: null,
+  guides: false,
   fine: false,
 };

@@ -1,12 +1,32 @@
 /** A game as the document stores it: its set-up and its moves. Its state is computed from these. */
 
-import type { Call, Choice, FrameOptions, Play, ShotFile } from "../../engine/index.ts";
+import type { Call, Choice, FrameOptions, Play, Seat, ShotFile } from "../../engine/index.ts";
 
 /** One value per player; the player who breaks is first. */
 export type Pair<T> = readonly [T, T];
 
 /** Longest name of a player, in characters: the score has no room for more. */
 export const LONGEST_NAME = 20;
+
+/**
+ * What is shown of an aimed shot: nothing, the aim line with the directions after the first contact, or
+ * the whole shot.
+ */
+export type Guide = "none" | "short" | "full";
+
+export const GUIDES: readonly Guide[] = ["none", "short", "full"];
+
+/** A match of several frames. */
+export interface Race {
+  /** Frames that win the race. */
+  readonly to: number;
+  /** Who breaks the next frame. */
+  readonly breaks: "alternate" | "winner";
+  /** Frames that each player has won before this one. */
+  readonly won: Pair<number>;
+  /** Whether the players have changed places since the first frame: the first of a pair breaks. */
+  readonly turned: boolean;
+}
 
 export interface Setup {
   /** One of the engine's rule sets. */
@@ -15,8 +35,16 @@ export interface Setup {
   /** The shot whose balls, table and physics the game starts from; null: a new rack. */
   readonly from: ShotFile | null;
   readonly names: Pair<string>;
-  /** Each player's preset of execution noise; null: no errors. */
+  /** Each person's preset of execution noise; null: no errors. */
   readonly skills: Pair<string | null>;
+  /** The level of each machine, such as "level-3"; null: a person. Left out: two persons. */
+  readonly machines?: Pair<string | null>;
+  /** Left out: short. */
+  readonly guide?: Guide;
+  /** Left out: a single frame. */
+  readonly race?: Race;
+  /** Time for a shot of a person, s. Left out: no limit. */
+  readonly clock?: number;
 }
 
 export type Move =
@@ -28,9 +56,23 @@ export interface Game {
   readonly moves: readonly Move[];
   /** The call for the shot that is being aimed; it may be incomplete. */
   readonly call: Call | null;
+  /** The player at this page, if the other one is a friend who gets links. Left out: both are here. */
+  readonly here?: Seat;
+  /** Which players have used the extension of the shot clock. Left out: none. */
+  readonly extended?: Pair<boolean>;
+}
+
+/** The level of the machine that plays for `player`; null if a person does. */
+export function machineOf({ machines }: Setup, player: Seat): string | null {
+  return machines?.[player] ?? null;
+}
+
+/** What is shown of an aimed shot: in free play the whole shot. */
+export function guideOf(game: Game | null): Guide {
+  return game ? (game.setup.guide ?? "short") : "full";
 }
 
 /** A game without moves. */
-export function newGame(setup: Setup): Game {
-  return { setup, moves: [], call: null };
+export function newGame(setup: Setup, here?: Seat): Game {
+  return { setup, moves: [], call: null, ...(here !== undefined && { here }) };
 }

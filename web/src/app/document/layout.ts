@@ -40,15 +40,24 @@ export function addBall(store: Store, engine: Engine, id: string): boolean {
   return refuse(store, t("layout.no-place"));
 }
 
+/** Adds a ball at a place, exactly. */
+export function addBallAt(store: Store, id: string, position: Point, group: string): boolean {
+  const { shot } = store.document;
+  const next = { ...shot, balls: [...shot.balls, { id, position }] };
+  if (!store.apply({ shot: next }, t("change.add", { ball: ballName(id) }), group)) return false;
+  store.setSession({ selected: id });
+  return true;
+}
+
 /** Removes a ball. If it was the struck ball, the first ball left becomes the struck one. */
-export function removeBall(store: Store, id: string): boolean {
+export function removeBall(store: Store, id: string, group: string | null = null): boolean {
   const { shot } = store.document;
   const balls = shot.balls.filter((ball) => ball.id !== id);
   const first = balls[0];
   if (!first) return refuse(store, t("layout.last-ball"));
   const struck = shot.strike.ball === id ? first.id : shot.strike.ball;
   const next = { ...shot, balls, strike: { ...shot.strike, ball: struck } };
-  if (!store.apply({ shot: next }, t("change.remove", { ball: ballName(id) }))) return false;
+  if (!store.apply({ shot: next }, t("change.remove", { ball: ballName(id) }), group)) return false;
   if (store.session.selected === id) store.setSession({ selected: null });
   return true;
 }
@@ -67,15 +76,20 @@ export function rack(store: Store, engine: Engine, game: string, seed: number): 
   }
 }
 
-/** Puts a ball elsewhere on the cloth, if the engine accepts the place. */
+/**
+ * Puts a ball elsewhere on the cloth, if the engine accepts the place.
+ *
+ * @param exact Whether the place keeps all its digits; otherwise it is rounded to 0.1 mm.
+ */
 export function placeBall(
   store: Store,
   id: string,
   position: Point,
   group: string | null,
+  exact = false,
 ): boolean {
   const { shot } = store.document;
-  const at: Point = [round4(position[0]), round4(position[1])];
+  const at: Point = exact ? position : [round4(position[0]), round4(position[1])];
   const balls = shot.balls.map((ball) => (ball.id === id ? { ...ball, position: at } : ball));
   return store.apply({ shot: { ...shot, balls } }, t("change.move", { ball: ballName(id) }), group);
 }

@@ -242,7 +242,14 @@ export class Store {
 }
 
 /** The session after a change: a replay would show the old document. */
-const AIMING = { mode: "aim", trace: null, time: 0, playing: false } as const;
+const AIMING = {
+  mode: "aim",
+  trace: null,
+  stroke: 0,
+  time: 0,
+  playing: false,
+  preview: null,
+} as const;
 
 /** Whether the engine or the referee must check the document again. */
 function isOtherShot(a: Document, b: Document): boolean {

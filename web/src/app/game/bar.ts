@@ -1,14 +1,22 @@
 /** Below the table during a game: the score, whose turn it is, the last ruling, and choices. */
 
 import "./game.css";
-import type { FrameState } from "../../engine/index.ts";
+import type { FrameState, Seat } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText } from "../common/dom.ts";
 import { gameName } from "../common/presets.ts";
 import { leave } from "../replay/control.ts";
 import type { Store } from "../document/store.ts";
-import type { Game } from "../document/game.ts";
-import { choose, standing, startGame } from "./play.ts";
+import type { Game, Setup } from "../document/game.ts";
+import { presentCall } from "./calling.ts";
+import { mountMachine } from "./machine/sign.ts";
+import { mountClock } from "./match/clock.ts";
+import { framesWon, raceWinner } from "./match/race.ts";
+import { mountTray } from "./match/tray.ts";
+import { choose, startNext } from "./play.ts";
+import { replayedMove } from "./review/shots.ts";
+import { mountStep } from "./review/step.ts";
+import { isPerson, standing } from "./turn.ts";
 import {
   choiceInWords,
   isForOne,
@@ -32,7 +40,15 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
   const said = h("div", { role: "status", "aria-live": "polite" }, ruling);
   said.append(h("p", { class: "asked" }, title, " ", asked));
   const answers = h("div", { class: "row answers", hidden: true });
-  root.append(score, said, answers);
+  const machine = h("div", { class: "row machine" });
+  const step = h("div", { class: "row step" });
+  root.append(score, said, answers, step, machine);
+  mountStep(step, store, context);
+  const clock = h("div", { class: "shot-clock" });
+  root.append(clock);
+  mountClock(clock, store, context);
+  mountTray(document.getElementById("stage")!, store, context);
+  mountMachine(machine, store, context);
 
   function show(): void {
     const { game } = store.document;
@@ -42,7 +58,8 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
     const watching = store.session.mode === "replay";
     const last = progress.steps.at(-1);
     // The bar must not reveal the outcome while the shot is replayed.
-    const state = watching && last && "play" in last.move ? last.before : progress.frame.state;
+    const shown = watching ? replayedMove(store, engine) : null;
+    const state = shown === null ? progress.frame.state : progress.steps[shown]!.before;
     const { names } = game.setup;
     showScore(score, game, state);
     const rulingText = watching || !last ? "" : rulingInWords(last, names);
@@ -51,24 +68,29 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
     const known = request.kind === "choice" && rulingText.includes(refereeText(request.why));
     setText(ruling, rulingText);
     ruling.dataset.foul = String(!watching && last?.ruling.legal === false);
-    setText(title, watching || over ? "" : sentence(headline(request, names)));
-    setText(asked, watching || over || known ? "" : requestInWords(state, game.call));
+    setText(title, watching || over ? "" : sentence(headline(request, names, game.here)));
+    setText(
+      asked,
+      watching || over || known ? "" : requestInWords(state, presentCall(store, engine)),
+    );
     showAnswers(answers, watching ? null : state, game);
   }
 
   function showAnswers(row: HTMLElement, state: FrameState | null, game: Game): void {
     const request = state?.request;
     const buttons: HTMLElement[] = [];
-    if (request?.kind === "choice") {
+    if (request?.kind === "choice" && isPerson(store, request.player)) {
       const opponent = game.setup.names[other(request.player)];
       for (const choice of request.choices) {
         const label = capital(choiceInWords(choice, opponent));
         buttons.push(answer(label, () => choose(store, context, choice)));
       }
     } else if (request?.kind === "over") {
-      const seed = (game.setup.options.seed ?? 0) + 1;
-      const setup = { ...game.setup, from: null, options: { ...game.setup.options, seed } };
-      buttons.push(answer(t("table.another"), () => startGame(store, context, setup)));
+      const { race } = game.setup;
+      const { winner } = request;
+      const isEnd = race && raceWinner(race, winner) !== null;
+      const label = !race ? t("table.another") : t(isEnd ? "race.another" : "race.next");
+      buttons.push(answer(label, () => startNext(store, context, winner)));
     }
     const texts = (all: Iterable<Element>) => [...all].map((button) => button.textContent).join();
     if (texts(row.children) === texts(buttons)) return;
@@ -81,12 +103,19 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
   let resting: ReturnType<typeof setTimeout> | undefined;
   store.subscribe((now, before) => {
     const { session, document } = now;
-    if (document.game !== before.document.game || session.mode !== before.session.mode) show();
+    const isOther = session.mode !== before.session.mode || session.trace !== before.session.trace;
+    if (document.game !== before.document.game || isOther) show();
+    // The call follows the aim.
+    else if (document.game && document.shot !== before.document.shot) {
+      context.loop.input(root, show);
+    }
     if (session === before.session) return;
     clearTimeout(resting);
     const { trace, playing, time } = session;
     const ended = trace && before.session.playing && !playing && time >= trace.duration;
-    if (document.game && ended) resting = setTimeout(() => leave(store), REST);
+    // After an older shot the replay stays, for a step to another one.
+    const isLast = trace === standing(store, engine)?.trace;
+    if (document.game && ended && isLast) resting = setTimeout(() => leave(store), REST);
   });
   show();
 }
@@ -96,7 +125,7 @@ function answer(text: string, onclick: () => void): HTMLButtonElement {
 }
 
 function showScore(root: HTMLElement, { setup }: Game, state: FrameState): void {
-  const { request, scores } = state;
+  const { request } = state;
   const active = request.kind === "over" ? request.winner : request.player;
   const side = (player: 0 | 1) =>
     h(
@@ -105,11 +134,29 @@ function showScore(root: HTMLElement, { setup }: Game, state: FrameState): void 
       h("span", { class: "name" }, setup.names[player]),
       ...extras(state, player),
     );
-  const points = WITH_POINTS.has(state.game)
-    ? h("span", { class: "points" }, isForOne(state.game) ? `${scores[0]}` : scores.join(" : "))
-    : h("span", { class: "points" }, "–");
-  const players = isForOne(state.game) ? [side(0), points] : [side(0), points, side(1)];
-  root.replaceChildren(...players, h("span", { class: "hint push" }, gameName(state.game)));
+  const order = setup.race?.turned ? ([1, 0] as const) : ([0, 1] as const);
+  const points = h("span", { class: "points" }, pointsText(setup, state, order));
+  const [first, second] = [side(order[0]), side(order[1])];
+  const players = isForOne(state.game) ? [side(0), points] : [first, points, second];
+  const { race } = setup;
+  const about = race
+    ? t("race.to", { game: gameName(state.game), count: race.to })
+    : gameName(state.game);
+  root.replaceChildren(...players, h("span", { class: "hint push" }, about));
+}
+
+/** Frames of a race, points of a frame, or both. */
+function pointsText(
+  { race }: Setup,
+  { game, scores, request }: FrameState,
+  [first, second]: readonly [Seat, Seat],
+): string {
+  const points = `${scores[first]} : ${scores[second]}`;
+  if (isForOne(game)) return `${scores[0]}`;
+  if (!race) return WITH_POINTS.has(game) ? points : "–";
+  const won = framesWon(race, request.kind === "over" ? request.winner : null);
+  const frames = `${won[first]} : ${won[second]}`;
+  return WITH_POINTS.has(game) ? `${frames} (${points})` : frames;
 }
 
 /** Games that count points. */

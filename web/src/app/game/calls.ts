@@ -5,7 +5,8 @@ import type { Context } from "../common/context.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { pocketName } from "../common/words.ts";
-import { announceCall, askedShot, predictedCall } from "./play.ts";
+import { announceCall, intendedCall, presentCall } from "./calling.ts";
+import { askedShot } from "./turn.ts";
 import { callInWords } from "./words.ts";
 import { t } from "../words/translate.ts";
 
@@ -34,7 +35,7 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
   ball.addEventListener("change", write);
   pocket.addEventListener("change", write);
   shown.addEventListener("click", () => {
-    const call = predictedCall(store, engine);
+    const call = intendedCall(store, engine);
     if (call) announceCall(store, call);
   });
 
@@ -55,7 +56,7 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
 
   function say(kind: Kind): void {
     if (kind === "nothing") announceCall(store, null);
-    else if (kind === "pocket") announceCall(store, predictedCall(store, engine) ?? { kind });
+    else if (kind === "pocket") announceCall(store, intendedCall(store, engine) ?? { kind });
     else announceCall(store, { kind });
   }
 
@@ -63,7 +64,7 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
     const asked = store.session.mode === "aim" ? askedShot(store, engine) : null;
     root.hidden = !asked || asked.calls.every((kind) => kind === "nothing");
     if (!asked || root.hidden) return;
-    const { call } = store.document.game!;
+    const call = presentCall(store, engine);
     const nominates = asked.calls.includes("on");
     kinds.hidden = nominates;
     setText(ballLabel, t(nominates ? "call.nominated-ball" : "call.called-ball"));
@@ -74,9 +75,9 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
     fill(ball, ballsToCall(store, asked), call?.ball ?? "");
     const pockets = store.shot.geometry.pockets.map(({ name }) => name);
     fill(pocket, pockets, call?.into ?? "", pocketName);
-    const suggested = predictedCall(store, engine);
+    const suggested = intendedCall(store, engine);
     shown.hidden = !suggested || JSON.stringify(suggested) === JSON.stringify(call);
-    if (suggested) setText(shown, t("call.predicted", { call: callInWords(suggested) }));
+    if (suggested) setText(shown, t("call.from-aim", { call: callInWords(suggested) }));
   }
 
   function showKinds({ calls }: ShotRequest, call: Call | null): void {

@@ -2,16 +2,22 @@
 
 import { replay } from "../replay/control.ts";
 import type { Context } from "../common/context.ts";
-import { h, setText } from "../common/dom.ts";
+import { h, icon, setText } from "../common/dom.ts";
 import { gameName, levelName } from "../common/presets.ts";
 import { mountField } from "../form/field.ts";
 import { placeBall } from "../document/layout.ts";
+import { machineOf } from "../document/game.ts";
 import type { Store } from "../document/store.ts";
 import { mountCalls } from "./calls.ts";
-import { concede, endGame, standing } from "./play.ts";
+import { mountExplanation } from "./machine/explain.ts";
+import { machineName } from "./machine/levels.ts";
+import { canConcede, concede, endGame } from "./play.ts";
+import { standing } from "./turn.ts";
 import type { PlayedMove } from "./progress.ts";
+import { mountCostliest } from "./review/costliest.ts";
+import { isShot, replayMove } from "./review/shots.ts";
 import { handOf } from "./referee.ts";
-import { mountSetup } from "./setup.ts";
+import { mountSetup } from "./setup/setup.ts";
 import { callInWords, isForOne, rulingInWords } from "./words.ts";
 import { t } from "../words/translate.ts";
 
@@ -23,9 +29,13 @@ export function mountGame(root: HTMLElement, store: Store, context: Context): vo
   mountHeading(table, store);
   const hand = h("section");
   const calls = h("section");
-  table.append(hand, calls);
+  const reason = h("section");
+  const costs = h("section");
+  table.append(hand, calls, costs, reason);
   mountHand(hand, store, context);
   mountCalls(calls, store, context);
+  mountCostliest(costs, store, context);
+  mountExplanation(reason, store, context);
   mountSheet(table, store, context);
 
   const show = (): void => {
@@ -52,7 +62,9 @@ function mountHeading(root: HTMLElement, store: Store): void {
     if (!game) return;
     const { rules, options, from, names, skills } = game.setup;
     const all = names.map((name, k) => {
+      const machine = machineOf(game.setup, k === 0 ? 0 : 1);
       const skill = skills[k];
+      if (machine !== null) return t("table.player", { name, level: machineName(machine) });
       return skill ? t("table.player", { name, level: levelName(skill) }) : name;
     });
     const players = isForOne(rules) ? all.slice(0, 1) : all;
@@ -103,7 +115,7 @@ function mountHand(root: HTMLElement, store: Store, context: Context): void {
 
 /** The record: every move with its ruling, the last one first. */
 function mountSheet(root: HTMLElement, store: Store, context: Context): void {
-  const list = h("ol", { class: "sheet", reversed: true });
+  const list = h("ol", { class: "record", reversed: true });
   const watch = h("button", { type: "button", class: "button" }, t("table.watch"));
   watch.addEventListener("click", () => {
     const trace = standing(store, context.engine)?.trace;
@@ -116,6 +128,18 @@ function mountSheet(root: HTMLElement, store: Store, context: Context): void {
   const give = h("button", { type: "button", class: "button" }, t("table.concede"));
   give.addEventListener("click", () => concede(store, context));
   const heading = h("h2", {}, t("table.shots"));
+  const replayButton = (index: number) =>
+    h(
+      "button",
+      {
+        type: "button",
+        class: "button plain again",
+        "aria-label": t("review.replay", { number: index + 1 }),
+        title: t("review.replay", { number: index + 1 }),
+        onclick: () => replayMove(store, context.engine, index, context.reducedMotion()),
+      },
+      icon("M8 5.5v13l10-6.5z"),
+    );
   root.append(heading, list, h("div", { class: "row" }, watch, give, end));
 
   const show = (): void => {
@@ -124,13 +148,14 @@ function mountSheet(root: HTMLElement, store: Store, context: Context): void {
     if (!game || !progress || store.session.mode === "replay") return;
     heading.hidden = list.hidden = progress.steps.length === 0;
     watch.hidden = progress.trace === null;
-    give.hidden = progress.frame.state.request.kind === "over" || isForOne(game.setup.rules);
-    const items = progress.steps.map((step) =>
+    give.hidden = !canConcede(store, context.engine);
+    const items = progress.steps.map((step, index) =>
       h(
         "li",
         { "data-foul": String(!step.ruling.legal) },
         rulingInWords(step, game.setup.names),
         called(step),
+        isShot(step) && replayButton(index),
       ),
     );
     list.replaceChildren(...items.reverse());

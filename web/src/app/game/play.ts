@@ -1,51 +1,47 @@
 /** Actions of the players in a game. */
 
 import {
-  type Call,
   CaromError,
   type Choice,
+  type Decision,
   type Engine,
-  type Point,
+  type Play,
+  type Seat,
   type ShotFile,
   type Shot,
-  type ShotRequest,
   type Strike,
+  type Trace,
 } from "../../engine/index.ts";
 import { gameName } from "../common/presets.ts";
 import { errorText } from "../common/refusals.ts";
 import type { Context } from "../common/context.ts";
 import type { Store } from "../document/store.ts";
-import { pocketAt } from "../pot/pockets.ts";
 import { firstAim } from "./aim.ts";
-import { type Game, type Move, newGame, type Setup } from "../document/game.ts";
+import { missingPart, presentCall } from "./calling.ts";
+import { type Game, machineOf, type Move, newGame, type Setup } from "../document/game.ts";
+import { machineNoise } from "./machine/levels.ts";
+import { nextFrame } from "./match/race.ts";
 import { after, type Progress, progressOf, remember } from "./progress.ts";
-import { choiceInWords, other } from "./words.ts";
+import { askedShot, isPerson, standing } from "./turn.ts";
+import { choiceInWords, isForOne, other } from "./words.ts";
 import { inSentence, t } from "../words/translate.ts";
 
-/** The progress of the game; null in free play. */
-export function standing(store: Store, engine: Engine): Progress | null {
-  const { game } = store.document;
-  return game && progressOf(engine, game);
+/** Starts a game that is set up, such as after a lag. */
+export function startReady(store: Store, { engine }: Context, game: Game): boolean {
+  return start(store, engine, game);
 }
 
-/** The game's request if it is for a shot, else null. */
-export function askedShot(store: Store, engine: Engine): ShotRequest | null {
-  const request = standing(store, engine)?.frame.state.request;
-  return request?.kind === "shot" ? request : null;
+/** @param here The player at this page, if the other one is a friend. */
+export function startGame(store: Store, { engine }: Context, setup: Setup, here?: Seat): boolean {
+  return start(store, engine, newGame(setup, here));
 }
 
-/** Whether the user can aim: in free play, and when the game requests a shot. */
-export function canAim(store: Store, engine: Engine): boolean {
-  return store.document.game === null || askedShot(store, engine) !== null;
-}
-
-export function startGame(store: Store, { engine }: Context, setup: Setup): boolean {
-  const game = newGame(setup);
+function start(store: Store, engine: Engine, game: Game): boolean {
   try {
     const shot = firstAim(engine, game, progressOf(engine, game));
     return store.apply(
       { game, shot },
-      t("change.start", { game: inSentence(gameName(setup.rules)) }),
+      t("change.start", { game: inSentence(gameName(game.setup.rules)) }),
     );
   } catch (error) {
     return refused(store, error);
@@ -62,18 +58,15 @@ export function endGame(store: Store): void {
  *
  * @param show Called with the trace of the shot after the document was updated.
  */
-export function playShot(
-  store: Store,
-  { engine }: Context,
-  show: (trace: NonNullable<Progress["trace"]>) => void,
-): void {
+export function playShot(store: Store, { engine }: Context, show: (trace: Trace) => void): void {
   const { game } = store.document;
   const asked = askedShot(store, engine);
   if (!game || !asked) {
     store.refuse(t("refused.no-shot"));
     return;
   }
-  const incomplete = missingPart(game.call);
+  const call = presentCall(store, engine);
+  const incomplete = missingPart(call);
   if (incomplete) {
     store.refuse(incomplete);
     return;
@@ -91,57 +84,120 @@ export function playShot(
       },
       ...(cling && { cling }),
       ...(asked.in_hand !== null && { cue_ball: [x, y] as const }),
-      ...(game.call && { call: game.call }),
+      ...(call && { call }),
     };
-    const progress = move(
-      store,
-      engine,
-      { play },
-      t("change.shot", { name: game.setup.names[asked.player] }),
-    );
-    if (progress?.trace) show(progress.trace);
+    const trace = shotMove(store, engine, play);
+    if (trace) show(trace);
   } catch (error) {
     refused(store, error);
   }
+}
+
+/**
+ * Makes the move that a machine has decided on; its shot gets the errors of its level.
+ *
+ * @param show As in `playShot`.
+ */
+export function playDecision(
+  store: Store,
+  { engine }: Context,
+  { play, choice }: Pick<Decision, "play" | "choice">,
+  show: (trace: Trace) => void,
+): void {
+  const { game } = store.document;
+  const progress = standing(store, engine);
+  const request = progress?.frame.state.request;
+  if (!game || !progress || !request || request.kind === "over") return;
+  try {
+    if (choice) choiceMove(store, engine, choice);
+    else if (!play) concedeMove(store, engine);
+    else {
+      const shot = progress.frame.shot(play);
+      const { strike, cling } = executed(engine, shot, game, request);
+      shot.free();
+      const { obstruction, miscue } = play.strike;
+      const policies = { ...(obstruction && { obstruction }), ...(miscue && { miscue }) };
+      const drawn = { ...play, strike: { ...strike, ...policies }, ...(cling && { cling }) };
+      const trace = shotMove(store, engine, drawn);
+      if (trace) show(trace);
+    }
+  } catch (error) {
+    refused(store, error);
+  }
+}
+
+/** Plays a shot that is not the aimed one, without errors; the table shows its end. */
+export function playMove(store: Store, { engine }: Context, play: Play): void {
+  try {
+    shotMove(store, engine, play);
+  } catch (error) {
+    refused(store, error);
+  }
+}
+
+/** Starts the next frame after one that is over. */
+export function startNext(store: Store, { engine }: Context, winner: Seat | null): void {
+  const { game } = store.document;
+  if (game) start(store, engine, nextFrame(game, winner));
+}
+
+/** @throws CaromError if the shot is not allowed. */
+function shotMove(store: Store, engine: Engine, play: Play): Trace | null {
+  return move(store, engine, { play }, (name) => t("change.shot", { name }))?.trace ?? null;
 }
 
 /** Makes a choice that the referee offers. */
 export function choose(store: Store, { engine }: Context, choice: Choice): void {
-  const { game } = store.document;
   const request = standing(store, engine)?.frame.state.request;
-  if (!game || request?.kind !== "choice") return;
-  const { names } = game.setup;
-  const said = choiceInWords(choice, names[other(request.player)]);
+  if (request?.kind !== "choice" || !isPerson(store, request.player)) return;
   try {
-    move(
-      store,
-      engine,
-      { choice },
-      t("ruling.choice", { name: names[request.player], choice: said }),
-    );
+    choiceMove(store, engine, choice);
   } catch (error) {
     refused(store, error);
   }
 }
 
-/** Concedes the frame for the player at the table. */
-export function concede(store: Store, { engine }: Context): void {
-  const request = standing(store, engine)?.frame.state.request;
-  if (!request || request.kind === "over") return;
-  const { names } = store.document.game!.setup;
-  move(store, engine, { concede: true }, t("ruling.concedes", { name: names[request.player] }));
+function choiceMove(store: Store, engine: Engine, choice: Choice): void {
+  move(store, engine, { choice }, (name, opponent) =>
+    t("ruling.choice", { name, choice: choiceInWords(choice, opponent) }),
+  );
 }
 
-/** @throws CaromError if the move is not allowed. */
-function move(store: Store, engine: Engine, made: Move, label: string): Progress | null {
+/** Whether a person is at the table, who may concede. */
+export function canConcede(store: Store, engine: Engine): boolean {
+  const state = standing(store, engine)?.frame.state;
+  if (!state || state.request.kind === "over" || isForOne(state.game)) return false;
+  return isPerson(store, state.request.player);
+}
+
+/** Concedes the frame for the person at the table. */
+export function concede(store: Store, { engine }: Context): void {
+  if (canConcede(store, engine)) concedeMove(store, engine);
+}
+
+function concedeMove(store: Store, engine: Engine): void {
+  move(store, engine, { concede: true }, (name) => t("ruling.concedes", { name }));
+}
+
+/**
+ * @param label The name of the change, from the names of the player at the table and of the opponent.
+ * @throws CaromError if the move is not allowed.
+ */
+function move(
+  store: Store,
+  engine: Engine,
+  made: Move,
+  label: (name: string, opponent: string) => string,
+): Progress | null {
   const game = store.document.game!;
   const progress = after(progressOf(engine, game), made);
   const next: Game = { ...game, moves: [...game.moves, made], call: null };
   remember(next, progress);
   store.settle();
-  return store.apply({ game: next, shot: firstAim(engine, next, progress) }, label)
-    ? progress
-    : null;
+  const { player } = progress.steps.at(-1)!;
+  const { names } = game.setup;
+  const change = { game: next, shot: firstAim(engine, next, progress) };
+  return store.apply(change, label(names[player], names[other(player)])) ? progress : null;
 }
 
 /**
@@ -152,10 +208,11 @@ function executed(
   engine: Engine,
   shot: Shot,
   game: Game,
-  { player }: ShotRequest,
+  { player }: { readonly player: Seat },
 ): { readonly strike: Strike; readonly cling?: ShotFile["cling"] } {
-  const skill = game.setup.skills[player];
-  const noise = skill === null ? undefined : engine.noisePresets[skill];
+  const [level, skill] = [machineOf(game.setup, player), game.setup.skills[player]];
+  const own = skill === null ? undefined : engine.noisePresets[skill];
+  const noise = level === null ? own : machineNoise(engine, level);
   // A game plays the aimed shot without the contacts that cling in its file.
   if (!noise) return { strike: shot.strike! };
   const { seed = 0 } = game.setup.options;
@@ -163,61 +220,6 @@ function executed(
   const drawn = { strike: variant.strike!, cling: variant.file.cling };
   variant.free();
   return drawn;
-}
-
-/** What is missing in a call, with the remedy; null if the call is complete. */
-function missingPart(call: Call | null): string | null {
-  if (call?.kind !== "pocket") return null;
-  if (call.ball === undefined) return t("call.ball-missing");
-  if (call.into === undefined) return t("call.pocket-missing");
-  return null;
-}
-
-/** Sets the call for the aimed shot; null removes it. */
-export function announceCall(store: Store, call: Call | null): void {
-  const { game } = store.document;
-  if (!game || JSON.stringify(game.call) === JSON.stringify(call)) return;
-  store.apply({ game: { ...game, call } }, t(call ? "change.call" : "change.uncall"), "call");
-}
-
-/** Calls or nominates the tapped ball if the game requests it. */
-export function tapBall(store: Store, engine: Engine, ball: string): void {
-  const asked = askedShot(store, engine);
-  if (!asked || ball === asked.cue_ball) return;
-  if (asked.calls.includes("on") && asked.on.includes(ball)) {
-    announceCall(store, { kind: "on", ball });
-  } else if (asked.calls.includes("pocket")) {
-    const { call } = store.document.game!;
-    const into = call?.kind === "pocket" ? call.into : undefined;
-    announceCall(store, { kind: "pocket", ball, ...(into && { into }) });
-  }
-}
-
-/** Calls the tapped pocket if the game requests it. @returns Whether a pocket was called. */
-export function tapPocket(store: Store, engine: Engine, point: Point): boolean {
-  const asked = askedShot(store, engine);
-  if (!asked?.calls.includes("pocket")) return false;
-  const into = pocketAt(store.shot, point);
-  if (!into) return false;
-  const { call } = store.document.game!;
-  const ball = call?.kind === "pocket" ? call.ball : undefined;
-  announceCall(store, { kind: "pocket", ...(ball !== undefined && { ball }), into });
-  return true;
-}
-
-/** The call that fits the predicted outcome; null if nothing predicted can be called. */
-export function predictedCall(store: Store, engine: Engine): Call | null {
-  const asked = askedShot(store, engine);
-  const outcome = asked && store.ghost.trace?.outcome;
-  if (!outcome) return null;
-  const { first_contact: first } = outcome;
-  if (asked.calls.includes("on")) {
-    return first !== null && asked.on.includes(first) ? { kind: "on", ball: first } : null;
-  }
-  if (!asked.calls.includes("pocket")) return null;
-  const falls = outcome.pocketed.filter(([ball]) => ball !== asked.cue_ball);
-  const drop = falls.find(([ball]) => asked.on.includes(ball)) ?? falls[0];
-  return drop ? { kind: "pocket", ball: drop[0], into: drop[1] } : null;
 }
 
 function refused(store: Store, error: unknown): false {

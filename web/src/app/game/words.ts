@@ -20,8 +20,11 @@ export function isForOne(rules: string): boolean {
   return rules === "practice";
 }
 
-/** Whose turn it is, or who won. */
-export function headline(request: Request, names: Pair<string>): string {
+/** Whose turn it is, or who won. @param here The player at this page, if the other one is a friend. */
+export function headline(request: Request, names: Pair<string>, here?: Seat): string {
+  if (request.kind !== "over" && request.player === here) {
+    return t("friend.yours", { name: names[here] });
+  }
   switch (request.kind) {
     case "shot":
       return t("turn.shoots", { name: names[request.player] });

@@ -1,20 +1,26 @@
 /**
  * Mouse, pen and touch on the table. A drag on the cloth turns the cue, which clicks into pots; a drag of
- * a ball moves it. A tap on the cloth aims there, a tap on a ball selects it, and a tap on a pocket then
- * aims the ball at it. With the free camera a drag on the cloth turns the
+ * a ball moves it, and a drag of the place where the cue ball stops changes the stroke. A tap on the cloth
+ * aims there, a tap on a ball selects it, and a tap on a pocket then aims the ball at it. A press on the cue
+ * and a pull shoot. With the free camera a drag on the cloth turns the
  * camera; the viewer handles that, several fingers, and the other buttons.
  */
 
 import type { Point } from "../../engine/index.ts";
-import { placeBall } from "../document/layout.ts";
+import { dragStop, dropStop, stopOf } from "../analyse/stop.ts";
+import { hidePreview } from "../analyse/preview.ts";
+import { removeBall } from "../document/layout.ts";
 import { FINE } from "../document/strike.ts";
 import { azimuthOf } from "../document/strike-angles.ts";
 import { azimuthTo, sweep } from "../common/angles.ts";
 import type { Context } from "../common/context.ts";
-import { tapBall, tapPocket } from "../game/play.ts";
+import { announceCall, tapBall, tapPocket } from "../game/calling.ts";
+import { ballName } from "../common/words.ts";
 import { aimAtPocket, isObjectBall, turnTo } from "../pot/aim.ts";
 import { pocketAt } from "../pot/pockets.ts";
+import { dragBall, isBeside } from "../layout/drag.ts";
 import type { Store } from "../document/store.ts";
+import { Stroke } from "./stroke.ts";
 import { t } from "../words/translate.ts";
 
 /** Movement (CSS pixels) below which a gesture is a tap; a finger moves more than a mouse. */
@@ -26,6 +32,8 @@ const DEGREES_PER_PIXEL = 0.1;
 /** Pixels on either side of a pot from which the cue clicks into it, and the most degrees. */
 const SNAP_PIXELS = 7;
 const WIDEST_SNAP = 2.5;
+/** Distance (m) from the middle of the cue ball's stopping place from which it is dragged. */
+const STOP_REACH = { mouse: 0.05, other: 0.09 };
 /** Pixels between the two points that measure the scale of the picture. */
 const BESIDE = 8;
 
@@ -42,6 +50,8 @@ interface Drag {
   azimuth: number | null;
   /** Position of the pointer when it last turned the cue. */
   last: { readonly x: number; readonly y: number; readonly point: Point | null };
+  /** Whether it moves the place where the cue ball stops. */
+  readonly stop: boolean;
   moved: boolean;
 }
 
@@ -51,6 +61,9 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
   const { viewer, loop } = context;
   const down = new Set<number>();
   let drag: Drag | null = null;
+  const stroke = new Stroke(store, context);
+  /** The pointer that holds the cue. */
+  let striking: number | null = null;
 
   const ballAt = (index: number) => store.shot.balls[index]!;
   const pointOf = (event: PointerEvent) =>
@@ -65,6 +78,13 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     }
     if (event.button !== 0) return;
     const { ball, point } = pointOf(event);
+    if (ball === null && stroke.press(event, `gesture ${(gestures += 1)}`)) {
+      striking = event.pointerId;
+      canvas.setPointerCapture(event.pointerId);
+      canvas.dataset.drag = "cue";
+      viewer.controls = false;
+      return;
+    }
     const center = ball === null || store.session.mode === "replay" ? null : ballAt(ball).position;
     gestures += 1;
     drag = {
@@ -76,15 +96,20 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
       grip: center && point ? [center[0] - point[0], center[1] - point[1]] : [0, 0],
       azimuth: null,
       last: { x: event.clientX, y: event.clientY, point },
+      stop: ball === null && point !== null && isAtStop(event, point),
       moved: false,
     };
     canvas.setPointerCapture(event.pointerId);
-    viewer.controls = ball === null || store.session.mode === "replay";
+    viewer.controls = !drag.stop && (ball === null || store.session.mode === "replay");
   };
   canvas.addEventListener("pointerdown", press, { capture: true });
 
   canvas.addEventListener("pointermove", (event) => {
-    if (drag?.pointer === event.pointerId) {
+    if (striking === event.pointerId) {
+      loop.input(canvas, () => {
+        stroke.move(event.clientX, event.clientY);
+      });
+    } else if (drag?.pointer === event.pointerId) {
       const held = drag;
       loop.input(canvas, () => {
         move(held, event);
@@ -98,27 +123,44 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
 
   canvas.addEventListener("pointerup", (event) => {
     down.delete(event.pointerId);
+    if (striking === event.pointerId) {
+      loop.flush();
+      stroke.release();
+      end();
+    }
     if (drag?.pointer !== event.pointerId) return;
     loop.flush();
     if (!drag.moved) tap(drag, event);
+    else if (drag.ball !== null && isAway(event)) putAway(drag, drag.ball);
+    else if (drag.stop) {
+      const { point } = pointOf(event);
+      if (point) dropStop(store, context, point);
+      else hidePreview(store);
+    }
     end();
   });
 
   canvas.addEventListener("pointercancel", (event) => {
     down.delete(event.pointerId);
-    if (drag?.pointer === event.pointerId) end();
+    if (drag?.pointer !== event.pointerId && striking !== event.pointerId) return;
+    if (drag?.stop) hidePreview(store);
+    end();
   });
 
   function end(): void {
-    if (!drag) return;
+    if (!drag && striking === null) return;
+    stroke.cancel();
     drag = null;
+    striking = null;
     viewer.controls = true;
     delete canvas.dataset.drag;
+    delete canvas.dataset.away;
     store.settle();
   }
 
   function hover(event: PointerEvent): void {
-    canvas.dataset.over = pointOf(event).ball === null ? "cloth" : "ball";
+    const on = stroke.over(event.clientX, event.clientY, event.pointerType) ? "cue" : "cloth";
+    canvas.dataset.over = pointOf(event).ball === null ? on : "ball";
   }
 
   function move(held: Drag, event: PointerEvent): void {
@@ -127,9 +169,20 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     if (!held.moved && Math.hypot(event.clientX - x, event.clientY - y) < reach) return;
     if (store.session.mode === "replay") return;
     held.moved = true;
-    if (held.ball === null) {
+    if (held.stop) {
+      const { point } = pointOf(event);
+      if (point) dragStop(store, point);
+    } else if (held.ball === null) {
       if (store.view.camera !== "orbit") aim(held, event);
     } else moveBall(held, held.ball, event);
+  }
+
+  /** Whether a point is at the place where the cue ball stops, which can be dragged. */
+  function isAtStop(event: PointerEvent, [x, y]: Point): boolean {
+    const place = stopOf(store);
+    if (!place) return false;
+    const reach = event.pointerType === "mouse" ? STOP_REACH.mouse : STOP_REACH.other;
+    return Math.hypot(x - place[0], y - place[1]) < reach;
   }
 
   function aim(held: Drag, event: PointerEvent): void {
@@ -169,9 +222,29 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     if (!point) return;
     canvas.dataset.drag = "ball";
     const { id } = ballAt(index);
+    if (isAway(event)) {
+      if (canvas.dataset.away === undefined) {
+        context.announce(t("layout.let-go", { ball: ballName(id) }));
+      }
+      canvas.dataset.away = "";
+      return;
+    }
+    delete canvas.dataset.away;
     const position: Point = [point[0] + held.grip[0], point[1] + held.grip[1]];
     store.setSession({ selected: id });
-    placeBall(store, id, position, held.group);
+    dragBall(store, id, position, held.group, store.session.fine || event.shiftKey);
+  }
+
+  /** Whether the pointer is beside the table, where a ball goes back to the tray. */
+  function isAway(event: PointerEvent): boolean {
+    if (store.document.game) return false;
+    const { point } = pointOf(event);
+    const over = document.elementFromPoint(event.clientX, event.clientY);
+    return over !== canvas || (point !== null && isBeside(store, point));
+  }
+
+  function putAway(held: Drag, index: number): void {
+    removeBall(store, ballAt(index).id, held.group);
   }
 
   /** Aims the selected ball at the tapped pocket; in a game, calls them too. */
@@ -179,8 +252,9 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     const pocket = pocketAt(store.shot, point);
     const { selected } = store.session;
     if (pocket === null || !isObjectBall(store, selected)) return false;
-    aimAtPocket(store, context, selected, pocket);
-    tapPocket(store, context.engine, point);
+    // Where a line is found, the call follows the aim.
+    if (aimAtPocket(store, context, selected, pocket)) announceCall(store, null);
+    else tapPocket(store, context.engine, point);
     return true;
   }
 

@@ -2,14 +2,15 @@
 
 import type { Context } from "../common/context.ts";
 import { mountPhoto } from "../../photo/index.ts";
-import { look } from "../../viewer/index.ts";
-import { h, svg, uniqueId } from "../common/dom.ts";
+import { h, uniqueId } from "../common/dom.ts";
+import { swatch } from "../common/swatch.ts";
 import { mountField } from "../form/field.ts";
 import { addBall, nextId, placeBall, rack, removeBall } from "../document/layout.ts";
 import { photoOptions } from "./photo.ts";
 import { aimAt } from "../document/strike.ts";
 import type { Store } from "../document/store.ts";
 import { mountTable } from "./table.ts";
+import { mountTray } from "./tray.ts";
 import { gameName } from "../common/presets.ts";
 import { ballName } from "../common/words.ts";
 import { language, t } from "../words/translate.ts";
@@ -18,10 +19,13 @@ import { language, t } from "../words/translate.ts";
 const SEEDS = 10_000;
 
 export function mountLayoutPanel(root: HTMLElement, store: Store, context: Context): void {
+  const tray = h("section");
+  root.append(tray);
+  mountTray(tray, store, context);
+  mountBalls(root, store, context);
   mountRacks(root, store, context);
   mountPhoto(root, photoOptions(store, context), language());
   mountTable(root, store, context);
-  mountBalls(root, store, context);
 }
 
 function option(value: string, text = value): HTMLOptionElement {
@@ -177,16 +181,4 @@ function mountSelected(root: HTMLElement, store: Store, context: Context): void 
   };
   store.subscribe(show);
   show();
-}
-
-/** A picture of a ball beside its name. */
-function swatch(id: string, index: number): SVGSVGElement {
-  const { body, striped } = look(id, index);
-  return svg(
-    "svg",
-    { viewBox: "0 0 16 16", class: "swatch", "aria-hidden": "true" },
-    svg("circle", { cx: 8, cy: 8, r: 7, fill: striped ? "#f6f1e3" : body }),
-    striped && svg("path", { d: "M1.9 4.6h12.2a7 7 0 0 1 0 6.8H1.9a7 7 0 0 1 0-6.8", fill: body }),
-    svg("circle", { cx: 8, cy: 8, r: 7, class: "rim" }),
-  );
 }

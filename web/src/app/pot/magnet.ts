@@ -45,7 +45,7 @@ export function magnet(shot: Shot, file: AimedShot, azimuth: number, zone: numbe
 }
 
 /** The first ball that the cue ball meets, and the pocket nearest to its path. */
-function drawn(trace: Trace): { readonly ball: string; readonly pocket: PocketName } | null {
+export function drawn(trace: Trace): { readonly ball: string; readonly pocket: PocketName } | null {
   const found = firstContactEvent(trace);
   if (!found) return null;
   const { event, other } = found;

@@ -2,7 +2,7 @@
 
 import { ballName, pocketName } from "../common/words.ts";
 import type { PotLock } from "../document/document.ts";
-import { capital, decimal, list, named, t } from "../words/translate.ts";
+import { capital, decimal, list, named, sentence, t } from "../words/translate.ts";
 
 /** Names of hits by how much of the ball is covered, each up to the middle to the next. */
 const HITS = [
@@ -29,7 +29,13 @@ export function lockText(lock: PotLock, contact: { fullness: number; cut: number
   return t("pot.aimed", { ...names, how, margin: decimal(lock.margin, 2) });
 }
 
-function cutText({ fullness, cut }: { fullness: number; cut: number }): string {
+/** The hit as a sentence, such as "Half ball, a cut of 31°.". */
+export function hitText(contact: { fullness: number; cut: number }): string {
+  return sentence(cutText(contact));
+}
+
+/** A cut such as "half ball, a cut of 31°". */
+export function cutText({ fullness, cut }: { fullness: number; cut: number }): string {
   return t("pot.cut", { hit: hitName(fullness), degrees: decimal(cut, 0) });
 }
 

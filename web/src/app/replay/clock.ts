@@ -9,6 +9,27 @@ export const RATES = [1, 0.5, 0.25, 0.1] as const;
  */
 export const LONGEST_FRAME = 0.25;
 
+/** How long the stroke of the cue is shown before it strikes the ball, s of wall time. */
+export const STROKE = 0.45;
+/** Share of the stroke in which the cue is drawn back, and by how much (m). */
+const BACKWARDS = 0.5;
+const BACKSWING = 0.05;
+
+/**
+ * Distance of the tip from the ball (m) during the stroke: first back, then forwards ever faster.
+ *
+ * @param left Time until the strike, s.
+ * @param start Distance at which the stroke begins, m.
+ */
+export function strokePull(left: number, start: number): number {
+  const gone = 1 - left / STROKE;
+  if (gone < BACKWARDS) {
+    return start + (BACKSWING * (1 - Math.cos((Math.PI * gone) / BACKWARDS))) / 2;
+  }
+  const share = (gone - BACKWARDS) / (1 - BACKWARDS);
+  return (start + BACKSWING) * (1 - share ** 2);
+}
+
 /**
  * The time of the shot (s) when `elapsed` seconds of wall time have passed since `time`, at `rate`; at
  * most `duration`.

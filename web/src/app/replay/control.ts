@@ -1,5 +1,6 @@
 /** Actions on a replay, shared by buttons and keys. */
 
+import { STROKE } from "./clock.ts";
 import type { Session } from "../document/document.ts";
 import type { Store } from "../document/store.ts";
 import { type Moment, moments, next, previous } from "./moments.ts";
@@ -26,15 +27,17 @@ export function playsOn(now: Session, before: Session): boolean {
 export function seek(store: Store, time: number): void {
   const { trace } = store.session;
   if (!trace) return;
-  store.setSession({ playing: false, time: Math.min(Math.max(time, 0), trace.duration) });
+  const within = Math.min(Math.max(time, 0), trace.duration);
+  store.setSession({ playing: false, stroke: 0, time: within });
 }
 
 /** Pauses or plays. At the end of the replay it plays from the start. */
 export function togglePlaying(store: Store): void {
   const { trace, playing, time } = store.session;
   if (!trace) return;
-  const atEnd = time >= trace.duration;
-  store.setSession(playing ? { playing: false } : { playing: true, time: atEnd ? 0 : time });
+  if (playing) store.setSession({ playing: false });
+  else if (time >= trace.duration) replay(store, trace);
+  else store.setSession({ playing: true });
 }
 
 /** Pauses at the next event, or at the end. */
@@ -42,22 +45,23 @@ export function stepForwards(store: Store): void {
   const { trace, time } = store.session;
   if (!trace) return;
   const moment = next(momentsOf(trace), time);
-  store.setSession({ playing: false, time: moment?.time ?? trace.duration });
+  seek(store, moment?.time ?? trace.duration);
 }
 
 /** Pauses at the previous event, or at the start. */
 export function stepBackwards(store: Store): void {
   const { trace, time } = store.session;
   if (!trace) return;
-  store.setSession({ playing: false, time: previous(momentsOf(trace), time)?.time ?? 0 });
+  seek(store, previous(momentsOf(trace), time)?.time ?? 0);
 }
 
-/** Shows a trace from `time` (s) on. */
+/** Shows a trace from `time` (s) on; from its start on with the stroke of the cue, if it has one. */
 export function replay(store: Store, trace: Trace, time = 0, playing = true): void {
-  store.setSession({ mode: "replay", trace, time, playing, refusal: null });
+  const stroke = playing && time === 0 && trace.shot.strike ? STROKE : 0;
+  store.setSession({ mode: "replay", trace, stroke, time, playing, refusal: null });
 }
 
 /** Ends the replay and returns to aiming the same shot. */
 export function leave(store: Store): void {
-  store.setSession({ mode: "aim", trace: null, time: 0, playing: false });
+  store.setSession({ mode: "aim", trace: null, stroke: 0, time: 0, playing: false });
 }

@@ -1,7 +1,7 @@
 /** The Replay tab: the selected ball's state, its plots, and the list of events. */
 
 import "./panel.css";
-import { MOTIONS, STRIDE, type BallInfo, type Trace } from "../../engine/types.ts";
+import { type Motion, MOTIONS, STRIDE, type BallInfo, type Trace } from "../../engine/types.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
 import { soundButton } from "./sound.ts";
 import type { Store } from "../document/store.ts";
@@ -12,6 +12,7 @@ import { mountPlots } from "./plots.ts";
 import { length } from "./samples.ts";
 import { MOTION, POSITION, type Show, SPIN, VELOCITY } from "./state.ts";
 import { rpm } from "./words.ts";
+import { round, TIP } from "../common/units.ts";
 import { decimal, t } from "../words/translate.ts";
 
 /** Moment of inertia of a solid ball over mass × radius². */
@@ -30,9 +31,13 @@ export function mountState(root: HTMLElement, store: Store): void {
     ),
     h("div", { class: "state" }),
   );
-  const parts: Show[] = [mountNumbers(root), mountPlots(root, store), mountEvents(root, store)];
+  const more = h("details", { class: "more" }, h("summary", {}, t("replay.more")));
   const hash = h("code", { id: "hash" });
-  root.append(h("p", { class: "hint" }, t("replay.hash"), hash));
+  const brief = mountBrief(root);
+  const events = mountEvents(root, store);
+  const parts: Show[] = [brief, events, mountNumbers(more), mountPlots(more, store)];
+  more.append(h("p", { class: "hint" }, t("replay.hash"), hash));
+  root.append(more);
 
   const pace = new Pace();
   store.subscribe(({ session }, { session: before }) => {
@@ -56,34 +61,84 @@ function selectedBall({ shot }: Trace, selected: string | null): number {
   return index >= 0 ? index : (shot.struck ?? 0);
 }
 
+/** What players ask for: motion, speed and English. */
+function mountBrief(root: HTMLElement): Show {
+  const [list, value] = table();
+  const motion = value(t("replay.motion"));
+  const speed = value(t("replay.speed-now"));
+  const english = value(t("replay.english-now"));
+  root.append(list);
+  const stateOf = reader();
+  return (trace, index, time) => {
+    const state = stateOf(trace, index, time);
+    const v = length(state.velocity);
+    setText(motion, t(`motion.${state.motion}`));
+    setText(speed, `${decimal(v, 3)} m/s`);
+    setText(english, englishText(trace.shot.balls[index]!, v, state.spin[2]!));
+  };
+}
+
+/** Speed (m/s) below which English is not compared with the speed. */
+const SLOW = 0.05;
+
+/** English as the tips of the strike that gives it at the ball's speed: ω = 5 v b / (2 R²). */
+function englishText({ radius }: BallInfo, speed: number, about: number): string {
+  if (speed < SLOW) return "–";
+  const tips = round((INERTIA * radius * about) / speed / TIP, 1);
+  if (tips === 0) return t("replay.no-english");
+  return t(tips > 0 ? "replay.tips-right" : "replay.tips-left", {
+    tips: decimal(Math.abs(tips), 1),
+  });
+}
+
 function mountNumbers(root: HTMLElement): Show {
+  const [list, value] = table();
+  const position = value(t("replay.position"));
+  const energy = value(t("replay.energy"));
+  root.append(list);
+  const spin = mountSpin(root);
+  const stateOf = reader();
+  return (trace, index, time) => {
+    const state = stateOf(trace, index, time);
+    const [v, omega] = [length(state.velocity), length(state.spin)];
+    setText(position, triple(state.position, 3));
+    spin([...state.spin, omega]);
+    setText(energy, `${decimal(1000 * kinetic(trace.shot.balls[index]!, v, omega), 1)} mJ`);
+  };
+}
+
+/** A list of names and values, and a function that adds one. */
+function table(): [HTMLElement, (name: string) => HTMLElement] {
   const list = h("dl", { class: "numbers" });
   const value = (name: string): HTMLElement => {
     const element = h("dd");
     list.append(h("dt", {}, name), element);
     return element;
   };
-  const motion = value(t("replay.motion"));
-  const position = value(t("replay.position"));
-  const speed = value(t("replay.speed-now"));
-  const energy = value(t("replay.energy"));
-  root.append(list);
-  const spin = mountSpin(root);
-  let states = new Float64Array();
+  return [list, value];
+}
 
-  return (trace, index, time) => {
+interface BallState {
+  readonly position: Float64Array;
+  readonly velocity: Float64Array;
+  readonly spin: Float64Array;
+  readonly motion: Motion;
+}
+
+/** A function that reads a ball's state; the arrays change with its next call. */
+function reader(): (trace: Trace, ball: number, time: number) => BallState {
+  let states = new Float64Array();
+  return (trace, ball, time) => {
     const { balls } = trace.shot;
     if (states.length !== STRIDE * balls.length) states = new Float64Array(STRIDE * balls.length);
     trace.statesAt(time, states);
-    const state = states.subarray(STRIDE * index, STRIDE * (index + 1));
-    const vector = (at: number) => state.subarray(at, at + 3);
-    const v = length(vector(VELOCITY));
-    const omega = length(vector(SPIN));
-    setText(motion, t(`motion.${MOTIONS[state[MOTION]!]!}`));
-    setText(position, triple(vector(POSITION), 3));
-    setText(speed, `${decimal(v, 3)} m/s`);
-    spin([...vector(SPIN), omega]);
-    setText(energy, `${decimal(1000 * kinetic(balls[index]!, v, omega), 1)} mJ`);
+    const vector = (at: number) => states.subarray(STRIDE * ball + at, STRIDE * ball + at + 3);
+    return {
+      position: vector(POSITION),
+      velocity: vector(VELOCITY),
+      spin: vector(SPIN),
+      motion: MOTIONS[states[STRIDE * ball + MOTION]!]!,
+    };
   };
 }
 

@@ -42,5 +42,6 @@ export function roundUp(value: number): number {
   if (!(value > 0)) return 1;
   const power = 10 ** Math.floor(Math.log10(value));
   const step = ROUND.find((s) => s * power >= value) ?? 10;
-  return step * power;
+  // Without the error of the product, as in 6 · 0.1.
+  return Number((step * power).toPrecision(2));
 }

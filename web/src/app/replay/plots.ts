@@ -41,7 +41,10 @@ const PLOTS: readonly Plot[] = [
 ];
 
 export function mountPlots(root: HTMLElement, store: Store): Show {
-  const plots = PLOTS.map((plot) => mountPlot(root, store, plot));
+  const still = h("p", { class: "hint" }, t("replay.still"));
+  const figures = h("div");
+  root.append(still, figures);
+  const plots = PLOTS.map((plot) => mountPlot(figures, store, plot));
   let shown: { trace: Trace; ball: number } | null = null;
   let samples: Samples | null = null;
 
@@ -49,6 +52,9 @@ export function mountPlots(root: HTMLElement, store: Store): Show {
     if (shown?.trace !== trace || shown.ball !== ball) {
       shown = { trace, ball };
       samples = sample(trace, ball);
+      const moves = [...samples.speed, ...samples.spin].some((value) => value > 0);
+      still.hidden = moves;
+      figures.hidden = !moves;
       for (const plot of plots) plot.draw(samples, trace.duration);
     }
     for (const plot of plots) plot.point(time);

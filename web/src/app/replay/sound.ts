@@ -14,11 +14,11 @@ const ICONS = {
 export function mountSound(store: Store): void {
   const speaker = new Speaker();
   store.subscribe(({ session }, { session: before }) => {
-    const { trace, playing, sound, time, rate } = session;
+    const { trace, playing, sound, stroke, time, rate } = session;
     if (playing && sound && trace) {
       // The click that shoots or plays is a gesture, within which browsers allow sound.
       if (!before.playing || !before.sound) speaker.wake();
-      speaker.follow(trace, { time, rate });
+      if (stroke === 0) speaker.follow(trace, { time, rate });
     } else if (before.playing && before.sound) {
       speaker.silence();
     }

@@ -6,7 +6,7 @@ import type { Context } from "../common/context.ts";
 import type { Session } from "../document/document.ts";
 import { h, icon, setText, shortened, svg } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
-import { advance, Pace, RATES } from "./clock.ts";
+import { advance, LONGEST_FRAME, Pace, RATES } from "./clock.ts";
 import {
   leave,
   momentsOf,
@@ -119,8 +119,12 @@ function at(time: number, events: string): string {
 }
 
 function tick(store: Store, elapsed: number): boolean {
-  const { trace, playing, time, rate } = store.session;
+  const { trace, playing, stroke, time, rate } = store.session;
   if (!trace || !playing) return false;
+  if (stroke > 0) {
+    store.setSession({ stroke: Math.max(0, stroke - Math.min(elapsed, LONGEST_FRAME)) });
+    return true;
+  }
   const then = advance(time, elapsed, rate, trace.duration);
   const goesOn = then < trace.duration;
   store.setSession({ time: then, playing: goesOn });
@@ -144,7 +148,7 @@ function leaveButton(store: Store): HTMLButtonElement {
 function rates(store: Store): HTMLSelectElement {
   const select = h(
     "select",
-    { "aria-label": t("replay.speed"), title: t("replay.speed") },
+    { class: "rate", "aria-label": t("replay.speed"), title: t("replay.speed") },
     ...RATES.map((rate) => h("option", { value: rate }, RATE_NAMES[rate])),
   );
   select.addEventListener("change", () => store.setSession({ rate: Number(select.value) }));

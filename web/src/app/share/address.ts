@@ -5,9 +5,13 @@ import type { Context } from "../common/context.ts";
 import { PageError } from "../common/refusals.ts";
 import type { Document, View } from "../document/document.ts";
 import { aimed } from "../document/file.ts";
+import { treeEngine } from "../document/after.ts";
+import type { Tree, TreeNode } from "../document/tree.ts";
+import { treeFromText } from "../document/tree-text.ts";
 import type { Setup } from "../document/game.ts";
 import type { State, Store } from "../document/store.ts";
-import { standing } from "../game/play.ts";
+import { isLevel } from "../game/machine/levels.ts";
+import { standing } from "../game/turn.ts";
 import { referee } from "../game/referee.ts";
 import { replay } from "../replay/control.ts";
 import { LinkError } from "./link.ts";
@@ -53,30 +57,57 @@ export function readLink(engine: Engine, fragment: string): LinkContents | null 
 }
 
 /** @throws CaromError if the engine or the referee refuses a part of the state. */
-function checked(engine: Engine, { shot, noise, seed, game, view, time }: LinkState): LinkContents {
+function checked(engine: Engine, state: LinkState): LinkContents {
+  const { shot, noise, seed, game, view, time } = state;
   engine.shot(shot).free();
   if (noise) engine.checkNoise(noise);
   for (const skill of game?.setup.skills ?? []) {
     if (skill === null || Object.hasOwn(engine.noisePresets, skill)) continue;
     throw new PageError(t("refused.level", { level: skill }), "game.setup.skills");
   }
-  const document = { shot: aimed(shot), noise, seed, game };
+  for (const level of game?.setup.machines ?? []) {
+    if (level === null || isLevel(level)) continue;
+    throw new PageError(t("refused.level", { level }), "game.setup.machines");
+  }
+  const tree = state.tree === null ? undefined : treeFromText(state.tree, treeEngine(engine));
+  const document = { shot: aimed(shot), noise, seed, game, tree };
   referee(engine).shot(document.shot, game).free();
   return { document, view, time };
 }
 
-/** The page's address with its present state; null where the page has no address to share. */
-export function link(store: Store, engine: Engine): string | null {
+/**
+ * The page's address with its present state; null where the page has no address to share.
+ *
+ * @param state What to share in place of the present state; its shot is the present one.
+ */
+export function link(store: Store, engine: Engine, state: State = store.state): string | null {
   if (location.protocol === "about:") return null;
-  return location.href.replace(/#.*$/s, "") + fragment(engine, store.shot, store.state);
+  return location.href.replace(/#.*$/s, "") + linkText(store, engine, state);
+}
+
+/** Whether the page is a file on this device, so that its address means nothing elsewhere. */
+export function isLocal(): boolean {
+  return location.protocol === "file:";
+}
+
+/** What a link carries, as text: any carom page opens it. */
+export function linkText(store: Store, engine: Engine, state: State = store.state): string {
+  return fragment(engine, store.shot, state);
 }
 
 /** The fragment for a state. Presets have dated names, so that the link keeps their values. */
 function fragment(engine: Engine, shot: Shot, state: State): string {
   const { game } = state.document;
   const dated = game && { ...game, setup: datedSetup(engine, game.setup) };
-  const document = { ...state.document, game: dated };
+  const document = { ...state.document, game: dated, tree: datedTree(engine, state.document.tree) };
   return stateToFragment(engine.withDatedNames(shot.file), { ...state, document });
+}
+
+function datedTree(engine: Engine, tree: Tree | undefined): Tree | undefined {
+  // Later shots have the table of the first one.
+  const dated = (node: TreeNode) =>
+    node.parent === null ? { ...node, shot: engine.withDatedNames(node.shot) } : node;
+  return tree && { ...tree, nodes: tree.nodes.map(dated) };
 }
 
 function datedSetup(engine: Engine, setup: Setup): Setup {
@@ -113,7 +144,7 @@ export function mountAddress(store: Store, context: Context): void {
     resting = undefined;
     try {
       const contents = readAddress(context.engine);
-      if (contents) show(store, context, contents);
+      if (contents) openLink(store, context, contents);
     } catch (error) {
       if (!(error instanceof LinkError)) throw error;
       store.refuse(error.message);
@@ -122,7 +153,11 @@ export function mountAddress(store: Store, context: Context): void {
 }
 
 /** Opens a link in the page as it stands, so that undo returns to the previous document. */
-function show(store: Store, context: Context, { document, view, time }: LinkContents): void {
+export function openLink(
+  store: Store,
+  context: Context,
+  { document, view, time }: LinkContents,
+): void {
   if (!store.apply(document, t("change.open-link"))) return;
   store.setView(view);
   showTime(store, context.engine, time);

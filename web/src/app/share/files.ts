@@ -1,11 +1,16 @@
 /** Opens files that are chosen or dropped on the page. */
 
-import type { Engine } from "../../engine/index.ts";
+import type { Engine, FrameRecord } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, icon } from "../common/dom.ts";
+import { openTree } from "../analyse/tree-panel.ts";
+import { isTreeText } from "../document/tree-text.ts";
+import { gameOfRecord } from "../game/record.ts";
 import { cannotOpen, readFile } from "../document/file.ts";
 import type { Store } from "../document/store.ts";
 import { replay } from "../replay/control.ts";
+import { openLink, readLink } from "./address.ts";
+import { LinkError } from "./link.ts";
 import { decimal, t } from "../words/translate.ts";
 
 /** The largest file that is read, bytes: ten times the longest trace of a break. */
@@ -13,7 +18,7 @@ const LARGEST = 50e6;
 
 const OPEN_ICON = "M4 19V6h5l2 2h9v11zM4 11h16";
 
-/** Opens a shot file or a trace. A file that cannot be opened changes nothing. */
+/** Opens a shot file, a trace, or a file with the text of a link. A file that cannot be opened changes nothing. */
 export async function openFile(file: File, store: Store, context: Context): Promise<void> {
   if (file.size > LARGEST) {
     store.refuse(t("open.too-large", { file: file.name, megabytes: decimal(file.size / 1e6, 0) }));
@@ -26,13 +31,35 @@ export async function openFile(file: File, store: Store, context: Context): Prom
     store.refuse(t("open.unreadable", { file: file.name }));
     return;
   }
+  const link = /^\s*\S*(#s=\S+)\s*$/.exec(text)?.[1];
+  if (link !== undefined) {
+    openText(store, context, link);
+    return;
+  }
   if (open(store, context.engine, text)) context.announce(t("open.opened", { file: file.name }));
 }
 
-/** Opens a shot file or a trace from JSON. A refused file leaves everything as it is. */
-function open(store: Store, engine: Engine, json: string): boolean {
+/** Opens the text of a link. A damaged one changes nothing. */
+function openText(store: Store, context: Context, link: string): void {
   try {
-    const { shot, trace } = readFile(engine, json);
+    const contents = readLink(context.engine, link);
+    if (contents) openLink(store, context, contents);
+  } catch (error) {
+    if (!(error instanceof LinkError)) throw error;
+    store.refuse(error.message);
+  }
+}
+
+/**
+ * Opens a shot file or a trace, the record of a game, or the shots of an analysis. A refused file leaves
+ * everything as it is.
+ */
+function open(store: Store, engine: Engine, text: string): boolean {
+  try {
+    if (isTreeText(text)) return openTree(store, engine, text);
+    const record = recordIn(text);
+    if (record) return store.apply(gameOfRecord(engine, record), t("change.open-record"));
+    const { shot, trace } = readFile(engine, text);
     const opened = store.apply(
       { shot, game: null },
       t(trace ? "change.open-trace" : "change.open-shot"),
@@ -45,11 +72,17 @@ function open(store: Store, engine: Engine, json: string): boolean {
   }
 }
 
+/** The record of a frame in a text; null if it is another file. */
+function recordIn(json: string): FrameRecord | null {
+  const file = JSON.parse(json) as Partial<FrameRecord> | null;
+  return file?.format === "carom-frame/1" ? (file as FrameRecord) : null;
+}
+
 /** The button that opens a file. */
 export function openButton(store: Store, context: Context): HTMLElement {
   const input = h("input", {
     type: "file",
-    accept: ".json,application/json",
+    accept: ".json,.txt,application/json,text/plain",
     hidden: true,
     "aria-label": t("open.file"),
     id: "open-file",
@@ -69,7 +102,7 @@ export function openButton(store: Store, context: Context): HTMLElement {
       onclick: () => input.click(),
     },
     icon(OPEN_ICON),
-    h("span", { class: "wide-only" }, t("open.open")),
+    h("span", {}, t("open.open")),
   );
   button.title = t("open.hint");
   return h("span", {}, button, input);

@@ -1,17 +1,18 @@
 /** The Share dialog, and the button that opens files. */
 
 import "./menu.css";
-import type { Engine } from "../../engine/index.ts";
+import type { Engine, FrameRecord } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { type Child, h, icon, setText, uniqueId } from "../common/dom.ts";
+import { recordOf } from "../game/record.ts";
 import type { Store } from "../document/store.ts";
-import { link } from "./address.ts";
+import { isLocal, link, linkText } from "./address.ts";
 import { copy } from "./clipboard.ts";
 import { download } from "./download.ts";
 import { mountDrop, openButton } from "./files.ts";
 import { filmSection } from "./film.ts";
 import { toPrettyJson } from "./literal.ts";
-import { pythonProgram } from "./python.ts";
+import { gameProgram, pythonProgram } from "./python.ts";
 import { t } from "../words/translate.ts";
 
 const SHARE_ICON = "M12 15V4M8 7.5 12 4l4 3.5M5 12v7h14v-7";
@@ -47,10 +48,24 @@ export function mountShare(root: HTMLElement, store: Store, context: Context): v
     copier.root,
   );
   document.body.append(dialog);
+  // The shot of a game is a part of it; the game as a whole is its record.
+  const record = (): FrameRecord => recordOf(context.engine, store.document.game!);
+  const ofGame = h(
+    "div",
+    { class: "row", id: "share-game" },
+    action(t("share.game-python"), "copy-game-python", () =>
+      copier.copy(gameProgram(record()), t("share.game-copied")),
+    ),
+    action(t("share.record"), "download-record", () =>
+      download(`${toPrettyJson(record())}\n`, "frame.json"),
+    ),
+  );
+  dialog.querySelector("#copy-python")!.closest("section")!.append(ofGame);
 
   const open = (): void => {
     linkPart.refresh();
     copier.clear();
+    ofGame.hidden = store.document.game === null;
     dialog.showModal();
   };
   const share = h(
@@ -63,7 +78,7 @@ export function mountShare(root: HTMLElement, store: Store, context: Context): v
       onclick: open,
     },
     icon(SHARE_ICON),
-    h("span", { class: "wide-only" }, t("share.share")),
+    h("span", {}, t("share.share")),
   );
   root.append(openButton(store, context), share);
   mountDrop(store, context);
@@ -74,20 +89,29 @@ function mountLink(
   engine: Engine,
   copyText: (text: string, done: string) => Promise<void>,
 ): { section: HTMLElement; refresh: () => void } {
+  const local = isLocal();
   const address = h("input", { type: "text", readonly: true, id: uniqueId("link") });
   address.addEventListener("focus", () => address.select());
-  const label = h("label", { for: address.id, class: "unseen" }, t("share.link"));
-  const button = action(t("share.copy-link"), "copy-link", () =>
-    copyText(address.value, t("share.link-copied")),
+  const name = t(local ? "share.link-text" : "share.link");
+  const label = h("label", { for: address.id, class: "unseen" }, name);
+  const button = local
+    ? action(t("share.copy-text"), "copy-link", () =>
+        copyText(address.value, t("share.text-copied")),
+      )
+    : action(t("share.copy-link"), "copy-link", () =>
+        copyText(address.value, t("share.link-copied")),
+      );
+  const save = action(t("share.save-text"), "save-link", () =>
+    download(`${address.value}\n`, "carom.txt"),
   );
-  const none = h("p", { class: "hint" }, t("share.no-link"));
+  const none = h("p", { class: "hint" }, t(local ? "share.local" : "share.no-link"));
   return {
-    section: section(t("share.link-heading"), label, address, button, none),
+    section: section(t("share.link-heading"), label, address, button, local && save, none),
     refresh: () => {
-      const here = link(store, engine);
+      const here = local ? linkText(store, engine) : link(store, engine);
       address.value = here ?? "";
       address.hidden = button.hidden = here === null;
-      none.hidden = here !== null;
+      none.hidden = here !== null && !local;
     },
   };
 }

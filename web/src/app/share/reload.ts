@@ -6,9 +6,10 @@
 import type { Engine } from "../../engine/index.ts";
 import type { Store } from "../document/store.ts";
 import { type LinkContents, readLink } from "./address.ts";
+import { LinkError } from "./link.ts";
 import { stateToFragment } from "./state.ts";
 
-/** Name of the link in the storage of the tab; it is there only while the page loads. */
+/** Name of the link in the storage of the tab. */
 const KEPT = "carom-reload";
 
 /**
@@ -24,8 +25,26 @@ export function keepForReload(store: Store, engine: Engine): void {
   sessionStorage.setItem(KEPT, kept);
 }
 
+/** Keeps the last changes when the page is loaded again: the address may not have them yet. */
+export function mountReload(store: Store, engine: Engine): void {
+  addEventListener("pagehide", () => {
+    try {
+      keepForReload(store, engine);
+    } catch (error) {
+      // Too long a game, or no storage: the address has what it can.
+      if (!(error instanceof LinkError || error instanceof DOMException)) throw error;
+    }
+  });
+}
+
+/** Whether the page was loaded again, not opened at an address. */
+function isReload(): boolean {
+  const [entry] = performance.getEntriesByType("navigation");
+  return (entry as PerformanceNavigationTiming | undefined)?.type === "reload";
+}
+
 /**
- * Takes what was kept out of the storage; null if nothing was.
+ * Takes what was kept out of the storage; null if nothing was, or if another address was opened since.
  *
  * @throws {LinkError} It cannot be opened.
  */
@@ -37,5 +56,5 @@ export function takeKept(engine: Engine): LinkContents | null {
   } catch {
     // Some frames and browsers have no storage.
   }
-  return kept === null ? null : readLink(engine, kept);
+  return kept === null || !isReload() ? null : readLink(engine, kept);
 }

@@ -3,9 +3,11 @@
 import type { Noise, ShotFile } from "../../engine/index.ts";
 import { CLING, withNewKeys } from "../../engine/noise.ts";
 import { FIRST_VIEW, type View } from "../document/document.ts";
-import { type Game, LONGEST_NAME } from "../document/game.ts";
+import { type Game, GUIDES, LONGEST_NAME } from "../document/game.ts";
 import type { State } from "../document/store.ts";
+import { LONGEST_RACE } from "../game/match/race.ts";
 import { fromFragment, isLink, LinkError, toFragment } from "./link.ts";
+import { treeToText } from "../document/tree-text.ts";
 import { t } from "../words/translate.ts";
 
 /** The state in a link. Its structure is checked; shot, noise and game still need the engine's check. */
@@ -14,6 +16,8 @@ export interface LinkState {
   readonly noise: Noise | null;
   readonly seed: number;
   readonly game: Game | null;
+  /** The tree of the analysis as text; null: none. */
+  readonly tree: string | null;
   readonly view: View;
   /** Time of the replay (s); null while aiming. */
   readonly time: number | null;
@@ -55,6 +59,7 @@ export function stateToFragment(shot: ShotFile, { document, view, session }: Sta
     ...(document.noise && { noise: document.noise }),
     ...(document.seed !== 0 && { seed: document.seed }),
     ...(document.game && { game: document.game }),
+    ...(document.tree && document.tree.nodes.length > 0 && { tree: treeToText(document.tree) }),
     ...(changed.length > 0 && { view: Object.fromEntries(changed.map((key) => [key, view[key]])) }),
     ...(session.mode === "replay" && { time: session.time }),
   });
@@ -74,6 +79,7 @@ export function stateFromFragment(fragment: string): LinkState | null {
     noise: noiseOf(data.noise),
     seed: seedOf(data.seed),
     game: gameOf(data.game),
+    tree: treeOf(data.tree),
     view: viewOf(data.view),
     time: timeOf(data.time),
   };
@@ -109,6 +115,11 @@ function timeOf(time: unknown = null): number | null {
   throw broken("time", time, "write a time of the replay in seconds, at least 0");
 }
 
+function treeOf(tree: unknown = null): string | null {
+  if (tree === null || isText(tree)) return tree;
+  throw broken("tree", tree, "write a tree as text");
+}
+
 /** Checks a game's structure; the referee checks whether its moves are allowed. */
 function gameOf(data: unknown): Game | null {
   if (data === undefined || data === null) return null;
@@ -116,7 +127,7 @@ function gameOf(data: unknown): Game | null {
     Array.isArray(value) && value.length === 2 && value.every(type);
   const isName = (value: unknown) => isText(value) && value.length <= LONGEST_NAME;
   if (isRecord(data) && isRecord(data.setup) && Array.isArray(data.moves)) {
-    const { rules, options, from, names, skills } = data.setup;
+    const { rules, options, from, names, skills, machines, guide, race, clock } = data.setup;
     if (data.moves.length > MOST_MOVES) {
       throw new LinkError(t("link.moves", { moves: data.moves.length, most: MOST_MOVES }));
     }
@@ -126,11 +137,34 @@ function gameOf(data: unknown): Game | null {
       (from === null || isRecord(from)) &&
       isPair(names, isName) &&
       isPair(skills, (skill) => skill === null || isText(skill)) &&
+      (machines === undefined || isPair(machines, (level) => level === null || isText(level))) &&
+      (guide === undefined || (GUIDES as readonly unknown[]).includes(guide)) &&
+      (race === undefined || isRace(race)) &&
+      (clock === undefined || isWhole(clock, 5, 600)) &&
+      (data.extended === undefined || isPair(data.extended, (used) => typeof used === "boolean")) &&
+      (data.here === undefined || data.here === 0 || data.here === 1) &&
       (data.call === null || isCall(data.call)) &&
       data.moves.every(isMove);
     if (isSound) return data as unknown as Game;
   }
   throw new LinkError(t("link.game"));
+}
+
+function isRace(race: unknown): boolean {
+  if (!isRecord(race)) return false;
+  const { to, breaks, won, turned } = race;
+  return (
+    isWhole(to, 1, LONGEST_RACE) &&
+    (breaks === "alternate" || breaks === "winner") &&
+    Array.isArray(won) &&
+    won.length === 2 &&
+    won.every((frames) => isWhole(frames, 0, LONGEST_RACE)) &&
+    typeof turned === "boolean"
+  );
+}
+
+function isWhole(value: unknown, least: number, most: number): boolean {
+  return Number.isInteger(value) && (value as number) >= least && (value as number) <= most;
 }
 
 function isMove(move: unknown): boolean {

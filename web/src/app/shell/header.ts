@@ -6,6 +6,7 @@ import type { Camera, Theme } from "../document/document.ts";
 import { h, icon } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { t } from "../words/translate.ts";
+import { mountChoice } from "./choice.ts";
 
 const ICONS = {
   undo: "M8 4L4 8l4 4M4 8h10a5.5 5.5 0 0 1 0 11h-4",
@@ -26,7 +27,7 @@ const CAMERAS: readonly Camera[] = ["top", "orbit", "cue"];
 const THEMES: readonly Theme[] = ["auto", "light", "dark"];
 type Button = HTMLButtonElement;
 
-function iconButton(name: keyof typeof ICONS, label: string, onclick: () => void): Button {
+function iconButton(name: keyof typeof ICONS, label: string, onclick?: () => void): Button {
   const attributes = { type: "button", class: "button plain", "aria-label": label, title: label };
   return h("button", { ...attributes, onclick }, icon(ICONS[name]));
 }
@@ -61,35 +62,17 @@ export function mountHistory(root: HTMLElement, store: Store, context: Context):
 }
 
 export function mountCamera(root: HTMLElement, store: Store, context: Context): void {
-  const modes = CAMERAS;
   const choose = (mode: Camera) => {
     if (store.view.camera === mode) context.viewer.resetView();
     store.setView({ camera: mode });
     context.loop.invalidate();
   };
-  const buttons = modes.map((mode) => {
-    const button = iconButton(mode, t(`camera.${mode}`), () => choose(mode));
-    button.setAttribute("role", "radio");
-    return button;
+  const buttons = CAMERAS.map((name) => ({ name, button: iconButton(name, t(`camera.${name}`)) }));
+  const show = mountChoice(root, buttons, choose);
+  store.subscribe(({ view }) => {
+    show(view.camera);
   });
-  root.append(...buttons);
-  root.addEventListener("keydown", (event) => {
-    const step = { ArrowLeft: -1, ArrowUp: -1, ArrowRight: 1, ArrowDown: 1 }[event.key];
-    if (step === undefined) return;
-    const next = (modes.indexOf(store.view.camera) + step + modes.length) % modes.length;
-    choose(modes[next]!);
-    buttons[next]!.focus();
-    event.preventDefault();
-  });
-  const show = () => {
-    buttons.forEach((button, index) => {
-      const on = modes[index] === store.view.camera;
-      button.setAttribute("aria-checked", String(on));
-      button.tabIndex = on ? 0 : -1;
-    });
-  };
-  store.subscribe(show);
-  show();
+  show(store.view.camera);
 }
 
 /** Theme and help. */

@@ -1,27 +1,41 @@
 /** The panel's tabs. On a phone the panel is a sheet; a second tap on its tab collapses it. */
 
 import { h } from "../common/dom.ts";
+import type { Activity } from "../document/document.ts";
 import type { Store } from "../document/store.ts";
 import { t } from "../words/translate.ts";
 
 interface Tab {
-  readonly name: "state" | "aim" | "layout" | "physics" | "game" | "whatif";
+  readonly name:
+    "state" | "aim" | "lines" | "tree" | "layout" | "physics" | "game" | "whatif" | "train";
+  /** The activities that have this tab. */
+  readonly of: readonly Activity[];
   /** Shown only during a replay. */
   readonly replay?: boolean;
+  /** Shown only while aiming: it shows nothing of a replay, whose tabs need the room. */
+  readonly aim?: boolean;
   /** Shown only in free play: in a game its settings are fixed. */
   readonly free?: boolean;
-  /** Hidden during a replay in free play: there is no room for six tabs. */
-  readonly notInReplay?: boolean;
 }
 
 const TABS: readonly Tab[] = [
-  { name: "state", replay: true },
-  { name: "aim" },
-  { name: "layout", free: true },
-  { name: "physics", free: true },
-  { name: "game", notInReplay: true },
-  { name: "whatif" },
+  { name: "state", of: ["analyse", "play", "train"], replay: true },
+  { name: "game", of: ["play"] },
+  { name: "train", of: ["train"] },
+  { name: "aim", of: ["analyse", "play", "train"] },
+  { name: "lines", of: ["analyse"], aim: true },
+  { name: "tree", of: ["analyse"], free: true, aim: true },
+  { name: "layout", of: ["analyse"], free: true },
+  { name: "physics", of: ["analyse"], free: true },
+  { name: "whatif", of: ["analyse"] },
 ];
+
+/** The tab that an activity begins with. */
+const FIRST: Readonly<Record<Activity, Tab["name"]>> = {
+  analyse: "aim",
+  play: "game",
+  train: "train",
+};
 
 /** Screens on which the style makes the panel a sheet, as in style.css; a replay needs that room. */
 const SHEET = "(max-width: 760px) and (min-height: 480px), (max-width: 639px)";
@@ -34,11 +48,13 @@ const KEYS: Readonly<Record<string, (at: number, tabs: number) => number>> = {
   End: (_, tabs) => tabs - 1,
 };
 
-export function mountTabs(root: HTMLElement, store: Store): void {
+/** @returns A function that shows the tab with this name. */
+export function mountTabs(root: HTMLElement, store: Store): (name: Tab["name"]) => void {
   const panel = root.closest<HTMLElement>(".panel")!;
   const body = (tab: Tab) => document.getElementById(`panel-${tab.name}`)!;
-  let selected = "aim";
-  const earlier = { tab: "aim", folded: false };
+  let selected: Tab["name"] = "aim";
+  /** The tab before the replay, and whether the sheet was folded. */
+  const earlier: { tab: Tab["name"]; folded: boolean } = { tab: "aim", folded: false };
 
   const buttons = TABS.map((tab) => {
     const attributes = { type: "button", role: "tab", class: "tab", id: `tab-${tab.name}` };
@@ -53,9 +69,11 @@ export function mountTabs(root: HTMLElement, store: Store): void {
   });
   root.append(...buttons);
 
-  const present = ({ replay, free, notInReplay }: Tab) => {
-    const [replayed, playing] = [store.session.mode === "replay", store.document.game !== null];
-    return !(replay && !replayed) && !(free && playing) && !(notInReplay && replayed && !playing);
+  const present = ({ of, replay, aim, free }: Tab) => {
+    const { mode, activity } = store.session;
+    if (!of.includes(activity)) return false;
+    if (aim && mode === "replay") return false;
+    return !(replay && mode !== "replay") && !(free && store.document.game !== null);
   };
 
   function show(): void {
@@ -69,7 +87,7 @@ export function mountTabs(root: HTMLElement, store: Store): void {
     });
   }
 
-  function select(name: string): void {
+  function select(name: Tab["name"]): void {
     selected = name;
     fold(false);
     show();
@@ -97,10 +115,21 @@ export function mountTabs(root: HTMLElement, store: Store): void {
   });
 
   store.subscribe((now, before) => {
-    if ((now.document.game === null) === (before.document.game === null)) return;
-    if (now.document.game) earlier.tab = "game";
-    if (now.session.mode === "aim") select("game");
-    else show();
+    const { activity } = now.session;
+    if (activity === before.session.activity) {
+      // The settings are hidden once a game begins.
+      if (now.document.game !== before.document.game) show();
+      if (now.document.game && !before.document.game) fold(matchMedia(SHEET).matches);
+      return;
+    }
+    earlier.tab = FIRST[activity];
+    if (now.session.mode === "replay") {
+      show();
+      return;
+    }
+    select(FIRST[activity]);
+    // Analysis, and a game that begins, need the table more than the sheet.
+    fold(matchMedia(SHEET).matches && (activity === "analyse" || now.document.game !== null));
   });
   store.subscribe((now, before) => {
     if (now.session.mode === before.session.mode) return;
@@ -114,5 +143,14 @@ export function mountTabs(root: HTMLElement, store: Store): void {
       fold(earlier.folded);
     }
   });
+  store.subscribe(({ session }, { session: before }) => {
+    if ((session.attempt === null) === (before.attempt === null)) return;
+    // An attempt needs the table more than the sheet; at the end the sheet has the result.
+    const folded = session.attempt !== null && matchMedia(SHEET).matches;
+    if (session.mode === "replay") earlier.folded = folded;
+    else if (session.activity === "train") fold(folded);
+  });
+  fold(matchMedia(SHEET).matches);
   show();
+  return select;
 }

@@ -2,11 +2,13 @@
 
 import "./panel.css";
 import { CaromError, type Noise } from "../../engine/index.ts";
+import { RAMP } from "../../viewer/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, uniqueId } from "../common/dom.ts";
 import { errorText } from "../common/refusals.ts";
 import { mountField } from "../form/field.ts";
-import { canAim } from "../game/play.ts";
+import { guideOf } from "../document/game.ts";
+import { canAim } from "../game/turn.ts";
 import type { State, Store } from "../document/store.ts";
 import { type VariantsProgress, Variants } from "./client.ts";
 import { CLING, presetOf, presetsOf, type Sigma, SIGMAS } from "./noise.ts";
@@ -29,7 +31,8 @@ const LARGEST_DRAWN_SEED = 9999;
 export function mountWhatIf(root: HTMLElement, store: Store, context: Context): void {
   const on = h("input", { type: "checkbox", id: uniqueId("noise"), role: "switch" });
   on.addEventListener("change", () => {
-    const noise = on.checked ? context.engine.olympiad() : null;
+    const level = context.engine.noisePresets[store.session.level];
+    const noise = on.checked ? (level ?? context.engine.olympiad()) : null;
     store.apply({ noise }, t(on.checked ? "change.noise-on" : "change.noise-off"));
   });
   const intro = h("p", { class: "hint" }, t("whatif.intro", { count: COUNT }));
@@ -43,6 +46,7 @@ export function mountWhatIf(root: HTMLElement, store: Store, context: Context): 
   );
   mountSettings(settings, store, context);
   const show = mountResult(result);
+  result.append(legend());
 
   const ask = mountVariants(store, context, show);
   const follow = (): void => {
@@ -56,6 +60,21 @@ export function mountWhatIf(root: HTMLElement, store: Store, context: Context): 
   });
   follow();
   ask();
+}
+
+/** What the colours and the lines on the cloth mean. */
+function legend(): HTMLElement {
+  const bar = h("div", { class: "ramp" });
+  const colors = RAMP.map((rgb) => `rgb(${rgb.join(" ")})`);
+  bar.style.setProperty("--ramp", colors.join());
+  return h(
+    "div",
+    { class: "legend", id: "whatif-legend" },
+    h("p", { class: "hint" }, t("whatif.legend-stops")),
+    bar,
+    h("p", { class: "ends hint" }, h("span", {}, t("whatif.few")), h("span", {}, t("whatif.many"))),
+    h("p", { class: "hint" }, t("whatif.legend-paths", { count: PATHS })),
+  );
 }
 
 function needsVariants(now: State, before: State): boolean {
@@ -84,7 +103,9 @@ function mountVariants(
   };
   return () => {
     const { noise, seed } = store.document;
-    const wanted = noise && store.session.mode === "aim" && canAim(store, engine);
+    // A game with a short guide tells no chances.
+    const open = guideOf(store.document.game) === "full";
+    const wanted = noise && open && store.session.mode === "aim" && canAim(store, engine);
     if (!wanted) {
       variants?.cancel();
       if (!noise || variants) viewer.setFan(null);

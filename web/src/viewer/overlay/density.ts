@@ -61,7 +61,7 @@ export function smooth({ columns, rows, values }: Density): Density {
 }
 
 /** Colours from few to many. Their lightness increases throughout, so colour-blind users can tell them. */
-const RAMP: readonly (readonly [number, number, number])[] = [
+export const RAMP: readonly (readonly [number, number, number])[] = [
   [40, 16, 94],
   [114, 31, 129],
   [190, 55, 110],

@@ -15,7 +15,7 @@ import {
 } from "three";
 import { LAYER } from "../table/solid";
 import type { Point } from "../types";
-import { bin, colors, smooth } from "./density";
+import { bin, colors, type Density, smooth } from "./density";
 
 /** Opacity of one path; overlapping paths add up. */
 const PATH_OPACITY = 0.9;
@@ -53,7 +53,12 @@ export class Fan {
    * @param size - Its width and length, m.
    */
   set(points: Float64Array, paths: readonly Float32Array[], origin: Point, size: Point): void {
-    const density = smooth(bin(points, origin, size));
+    this.setHeat(smooth(bin(points, origin, size)), origin, size);
+    this.#setPaths(paths);
+  }
+
+  /** Shows a density over the cloth, without paths. */
+  setHeat(density: Density, origin: Point, size: Point): void {
     const texture = new DataTexture(colors(density), density.columns, density.rows);
     texture.colorSpace = SRGBColorSpace;
     texture.magFilter = LinearFilter;
@@ -64,7 +69,6 @@ export class Fan {
     this.#heat.scale.set(size[0], size[1], 1);
     this.#heat.position.set(origin[0] + size[0] / 2, origin[1] + size[1] / 2, 1.5 * LAYER);
     this.#heat.visible = true;
-    this.#setPaths(paths);
   }
 
   clear(): void {

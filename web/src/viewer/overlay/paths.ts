@@ -15,9 +15,10 @@ export class Paths {
   readonly group = new Group();
   readonly #ghosts = new Lines({ width: 1.8, opacity: 0.62, dash: [0.022, 0.014] });
   readonly #traces = new Lines({ width: 2.4, opacity: 0.92 });
+  readonly #guides = new Lines({ width: 1.3, opacity: 0.5 });
   readonly #flights = new Lines({ width: 3, opacity: 0.95, dash: [0.007, 0.017] });
   readonly #shadows = new Lines({ width: 3.2, opacity: 0.42 });
-  readonly #all = [this.#shadows, this.#ghosts, this.#traces, this.#flights];
+  readonly #all = [this.#shadows, this.#guides, this.#ghosts, this.#traces, this.#flights];
   readonly #color = new Color();
   #paths: readonly BallPath[] = [];
   /** Time of the replay, s; null: whole paths. */
@@ -50,7 +51,7 @@ export class Paths {
     for (const { ball, points, style } of this.#paths) {
       const color = balls.looks[ball]?.path ?? "#ffffff";
       const radius = ball < balls.count ? balls.info(ball).radius : 0;
-      if (style === "ghost" || this.#time === null) this.#add(points, style, color, radius);
+      if (style !== "trace" || this.#time === null) this.#add(points, style, color, radius);
       else {
         for (const piece of trail(points, this.#time)) {
           this.#color.set(cloth).lerp(new Color(color), piece.strength);
@@ -61,13 +62,18 @@ export class Paths {
     for (const lines of this.#all) lines.commit();
   }
 
+  #lines(style: BallPath["style"]): Lines {
+    if (style === "guide") return this.#guides;
+    return style === "ghost" ? this.#ghosts : this.#traces;
+  }
+
   #add(points: ArrayLike<number>, style: BallPath["style"], color: string, radius: number): void {
     for (const part of parts(points, radius)) {
       if (part.flies) {
         this.#flights.add(part.points, STRIDE, color);
         this.#shadows.add(shadow(part.points, radius), STRIDE, "#000000");
       } else {
-        (style === "ghost" ? this.#ghosts : this.#traces).add(part.points, STRIDE, color);
+        this.#lines(style).add(part.points, STRIDE, color);
       }
     }
   }

@@ -6,18 +6,13 @@ import { areasOf } from "../../../src/app/game/areas.ts";
 import { type Game, type Move, newGame, type Setup } from "../../../src/app/document/game.ts";
 import {
   announceCall,
-  askedShot,
-  canAim,
-  choose,
-  concede,
-  endGame,
-  playShot,
-  predictedCall,
-  standing,
-  startGame,
+  intendedCall,
+  presentCall,
   tapBall,
   tapPocket,
-} from "../../../src/app/game/play.ts";
+} from "../../../src/app/game/calling.ts";
+import { choose, concede, endGame, playShot, startGame } from "../../../src/app/game/play.ts";
+import { askedShot, canAim, standing } from "../../../src/app/game/turn.ts";
 import { progressOf } from "../../../src/app/game/progress.ts";
 import { freePlace, handOf, referee } from "../../../src/app/game/referee.ts";
 import { Store } from "../../../src/app/document/store.ts";
@@ -32,6 +27,18 @@ const SHOT = {
   table: "wpa-9ft",
   balls: [{ id: "cue", position: [0.5, 0.6] }],
   strike: { ball: "cue", speed: 2, azimuth_deg: 80 },
+} as const;
+
+/** The 1 in front of the top left pocket, and the 2 elsewhere. */
+const PAIR = {
+  format: "carom-shot/1",
+  table: "wpa-9ft",
+  balls: [
+    { id: "cue", position: [0.2, 1.2] },
+    { id: "1", position: [0.17, 2.1] },
+    { id: "2", position: [1, 0.5] },
+  ],
+  strike: { ball: "cue", speed: 2, azimuth_deg: 90 },
 } as const;
 
 function setup(rules: string, more: Partial<Setup> = {}): Setup {
@@ -276,13 +283,43 @@ describe("calls", () => {
     expect(refusal(store)).toMatch(/push-out is allowed only in the first shot/);
   });
 
-  test("are suggested from the predicted outcome", () => {
-    const store = begun("straight-pool");
-    expect(predictedCall(begun("nine-ball"), engine)).toBeNull();
-    store.strike({ speed: 9, azimuth_deg: 90 }, "aim");
-    const drop = store.ghost.trace!.outcome.pocketed.find(([ball]) => ball !== "cue");
-    const call = drop ? { kind: "pocket", ball: drop[0], into: drop[1] } : null;
-    expect(predictedCall(store, engine)).toEqual(call);
+  test("follow the aim where one is required: the first ball, and the pocket to which it is sent", () => {
+    const { balls } = PAIR;
+    const store = begun("straight-pool", { from: PAIR, guide: "short" });
+    expect(balls).toHaveLength(3);
+    store.strike({ azimuth_deg: 90, speed: 1.5 }, "aim");
+    const call = { kind: "pocket", ball: "1", into: "top-left" };
+    expect(presentCall(store, engine)).toEqual(call);
+    // A soft shot that stops short gets the same call: the short guide tells no result.
+    store.strike({ speed: 0.8 }, "aim");
+    expect(store.ghost.trace!.outcome.pocketed).toEqual([]);
+    expect(presentCall(store, engine)).toEqual(call);
+    expect(shootOnce(store)).not.toBeNull();
+    expect(store.document.game!.moves[0]).toMatchObject({ play: { call } });
+  });
+
+  test("of a locked pot are its ball and pocket, until the player calls another", () => {
+    const store = begun("straight-pool", { from: PAIR });
+    expect(store.aimAtPocket("1", "top-left", "aim")).toBe(true);
+    const call = { kind: "pocket", ball: "1", into: "top-left" } as const;
+    expect(presentCall(store, engine)).toEqual(call);
+    announceCall(store, { kind: "safety" });
+    expect(presentCall(store, engine)).toEqual({ kind: "safety" });
+    announceCall(store, null);
+    expect(presentCall(store, engine)?.kind).toBe("pocket");
+  });
+
+  test("do not follow the aim where none is required", () => {
+    expect(presentCall(begun("nine-ball"), engine)).toBeNull();
+    expect(intendedCall(begun("nine-ball"), engine)).toBeNull();
+  });
+
+  test("with the full guide are the ball that will fall", () => {
+    const store = begun("straight-pool", { from: PAIR, guide: "full" });
+    expect(store.aimAtPocket("1", "top-left", "aim")).toBe(true);
+    store.setSession({ lock: null });
+    const [drop] = store.ghost.trace!.outcome.pocketed;
+    expect(presentCall(store, engine)).toEqual({ kind: "pocket", ball: drop![0], into: drop![1] });
   });
 });
 
@@ -406,7 +443,7 @@ describe("errors of a player", () => {
 
 describe("on the cloth", () => {
   const areas = (store: Store) =>
-    areasOf(store.document.game!, standing(store, engine)!, store.shot.geometry, 0.028);
+    areasOf(store.document.game!.call, standing(store, engine)!, store.shot.geometry, 0.028);
 
   test("the region of the cue ball in hand is marked: a half disk for the D", () => {
     const [d] = areas(begun("snooker"));

@@ -66,7 +66,7 @@ describe("a request", () => {
     const call = { kind: "pocket", ball: "3", into: "top-left" } as const;
     expect(requestInWords(asked, call)).toBe("Called: ball 3, top left pocket.");
     expect(callInWords({ kind: "pocket", ball: "3" })).toBe("ball 3, no pocket yet");
-    expect(callInWords({ kind: "pocket", into: "left" })).toBe("no ball yet, left pocket");
+    expect(callInWords({ kind: "pocket", into: "left" })).toBe("no ball yet, left side pocket");
     expect(callInWords(null)).toBe("");
   });
 

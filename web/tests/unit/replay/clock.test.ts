@@ -5,6 +5,8 @@ import {
   Pace,
   PICTURES_PER_READING,
   RATES,
+  STROKE,
+  strokePull,
 } from "../../../src/app/replay/clock.ts";
 
 describe("the clock of the replay", () => {
@@ -33,5 +35,19 @@ describe("the clock of the replay", () => {
     const due = Array.from({ length: 3 * PICTURES_PER_READING }, () => pace.due());
     expect(due.filter(Boolean)).toHaveLength(3);
     expect(due[PICTURES_PER_READING - 1]).toBe(true);
+  });
+});
+
+describe("the stroke of the cue", () => {
+  test("begins where the cue was aimed, goes back, and ends at the ball", () => {
+    expect(strokePull(STROKE, 0.1)).toBeCloseTo(0.1, 12);
+    expect(strokePull(STROKE / 2, 0.1)).toBeCloseTo(0.15, 12);
+    expect(strokePull(0, 0.1)).toBe(0);
+  });
+
+  test("is fastest at the ball", () => {
+    const ways = [0.2, 0.15, 0.1, 0.05, 0].map((left) => strokePull(left, 0.1));
+    const steps = ways.slice(1).map((pull, k) => ways[k]! - pull);
+    expect(steps.toSorted((a, b) => a - b)).toEqual(steps);
   });
 });

@@ -22,5 +22,6 @@ describe("a plot", () => {
   test("has an axis that ends at a round number above all values", () => {
     expect([0.013, 1, 1.01, 3.3, 7, 480].map(roundUp)).toStrictEqual([0.015, 1, 1.5, 4, 8, 500]);
     expect(roundUp(0)).toBe(1);
+    expect(String(roundUp(0.55))).toBe("0.6");
   });
 });

@@ -50,6 +50,7 @@ describe("the state in a link", () => {
       noise: null,
       seed: 0,
       game: null,
+      tree: null,
       view: FIRST_VIEW,
       time: null,
     });
@@ -66,6 +67,7 @@ describe("the state in a link", () => {
       shot,
       noise,
       seed: 12345,
+      tree: null,
       game,
       view,
       time: 1.234567890123456,

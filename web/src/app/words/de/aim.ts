@@ -64,4 +64,16 @@ export const aim: Translation<typeof en.aim> = {
   "change.struck": "andere Kugel stoßen",
   "change.strike": "{ball} stoßen",
   "change.take": "von hier weiterspielen",
+
+  "power.label": "Stärke",
+  "power.speed": "{speed} {unit}, {word}",
+  "power.soft": "weich",
+  "power.lag": "Ausstoßen",
+  "power.firm": "fest",
+  "power.hard": "hart",
+  "power.break": "Anstoß",
+
+  "aim.guides": "Tangente und natürlicher Winkel",
+  "aim.guides-hint":
+    "Hinter der Geisterkugel: wohin ein gleitender Spielball läuft, und wohin ein rollender.",
 };

@@ -3,7 +3,7 @@ import type { Translation } from "../entry.ts";
 
 export const game: Translation<typeof en.game> = {
   "setup.title": "Ein Spiel spielen",
-  "setup.hint": "Zwei Personen teilen sich diese Seite; ein Schiedsrichter wendet die Regeln an.",
+  "setup.hint": "Zwei Spieler, Personen oder Maschinen; ein Schiedsrichter wendet die Regeln an.",
   "setup.game": "Spiel",
   "setup.begin-with": "Beginn mit",
   "setup.new-rack": "neuem Aufbau",
@@ -18,7 +18,7 @@ export const game: Translation<typeof en.game> = {
   "setup.miss": "Foul and a miss ansagen",
   "setup.players": "Am Tisch",
   "setup.player": "Spieler {number}",
-  "setup.errors": "Fehler",
+  "setup.errors-of": "Fehler von {player}",
   "setup.no-errors": "Keine",
   "setup.errors-hint":
     "Mit Fehlern weicht ein Stoß so vom Ziel ab wie bei dieser Spielstärke. Die Stärken sind geschätzt; die Zahlen der Olympiade sind veröffentlicht.",
@@ -52,7 +52,7 @@ export const game: Translation<typeof en.game> = {
   "call.nominated-ball": "Gewählte Kugel",
   "call.called-pocket": "Angesagte Tasche",
   "call.hint": "Oder tippen Sie Kugel und Tasche auf dem Tisch an.",
-  "call.predicted": "Wie berechnet: {call}",
+  "call.from-aim": "Wie gezielt: {call}",
   "call.a-safety": "Sicherheit",
   "call.a-push-out": "Push-out",
   "call.ball-and-pocket": "{ball}, {pocket}",

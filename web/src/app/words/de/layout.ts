@@ -37,4 +37,9 @@ export const layout: Translation<typeof en.layout> = {
   "change.photo": "Lage aus einem Foto",
   "change.parameter": "{name} ändern",
   "change.physics": "Physik wechseln",
+  "layout.tray": "Ablage",
+  "layout.tray-hint":
+    "Eine Kugel auf den Tisch ziehen oder antippen. Wer eine Kugel vom Tisch zieht, nimmt sie weg.",
+  "layout.put": "{ball} auf den Tisch legen",
+  "layout.let-go": "Loslassen nimmt {ball} vom Tisch.",
 };

@@ -21,6 +21,12 @@ export const page: Translation<typeof en.page> = {
   "history.nothing-to-undo": "Es gibt nichts rückgängig zu machen.",
   "history.nothing-to-redo": "Es gibt nichts zu wiederholen.",
 
+  "page.tools": "Werkzeuge",
+  "page.activity": "Tätigkeit",
+  "activity.analyse": "Analysieren",
+  "activity.play": "Spielen",
+  "activity.train": "Üben",
+
   "camera.top": "Von oben",
   "camera.orbit": "Freie Kamera: durch Ziehen drehen",
   "camera.cue": "Hinter dem Queue",
@@ -32,23 +38,24 @@ export const page: Translation<typeof en.page> = {
 
   "tab.state": "Wiederholung",
   "tab.aim": "Zielen",
+  "tab.lines": "Beste",
+  "tab.tree": "Stöße",
   "tab.layout": "Lage",
   "tab.physics": "Physik",
   "tab.game": "Spiel",
   "tab.whatif": "Streuung",
+  "tab.train": "Übungen",
 
   "steps.title": "Erste Schritte",
-  "steps.next": "Weiter",
+  "steps.pot":
+    "Loche die 9: Ziehe auf dem Tisch, bis die Linie in die beleuchtete Tasche springt, dann stoße.",
+  "steps.stop":
+    "Loche jetzt die 1, und lass den Spielball im Kreis liegen: Triff ihn tiefer und fester.",
+  "steps.well-done": "Gut gemacht.",
+  "steps.again": "Noch nicht.",
+  "steps.end":
+    "Gut gemacht. Die besten Stöße jeder Lage nennt das Analysieren; unter Spielen spielt man gegen die Maschine, unter Üben übt man.",
   "steps.skip": "Überspringen",
-  "steps.done": "Fertig",
-  "steps.count": "{step} von {steps}",
-  "steps.0": "Ziehen Sie auf dem Tuch, um das Queue zu drehen. Die Linien zeigen den ganzen Stoß.",
-  "steps.1":
-    "Klicken Sie unter Zielen auf den Ball: Effet, Nachläufer oder Rückläufer. Tempo und Neigung stehen darunter.",
-  "steps.2":
-    "Drücken Sie Stoßen. Gehen Sie dann durch die Wiederholung, oder spielen Sie von der neuen Lage weiter.",
-  "steps.3":
-    "Ziehen Sie eine Kugel an einen anderen Platz. Jede Änderung lässt sich rückgängig machen.",
 
   "language.label": "Sprache",
   "language.hint":
@@ -71,13 +78,13 @@ export const page: Translation<typeof en.page> = {
     "Während Sie zielen, berechnet die Seite den ganzen Stoß, zeichnet die Wege der Kugeln und beschreibt unter dem Tisch, was geschieht.",
   "help.shoot": "Stoßen",
   "help.shoot-text":
-    "Spielt den Stoß. „Von hier weiterspielen“ macht aus der Endlage die neue Lage.",
+    "Spielt den Stoß. Oder drücken Sie auf das Queue, ziehen Sie es zurück und lassen Sie los: Der Zug bestimmt das Tempo; am Anfang des Zugs wird nichts gespielt. „Von hier weiterspielen“ macht aus der Endlage die neue Lage.",
   "help.move": "Kugeln verschieben",
   "help.move-text":
     "Ziehen Sie eine Kugel. Wo sie nicht liegen darf, wird sie rot, die Seite nennt den Grund, und die Kugel geht zurück.",
   "help.game": "Ein Spiel spielen",
   "help.game-text":
-    "Unter Spiel spielen zwei Personen mit Schiedsrichter. Tippen Sie Kugel und Tasche an, um sie anzusagen. Auch Stöße lassen sich rückgängig machen.",
+    "Unter Spielen spielen Personen und Maschinen mit Schiedsrichter. Eine Ansage, die nötig ist, folgt dem Ziel; tippen Sie Kugel und Tasche an, um andere anzusagen. Auch Stöße lassen sich rückgängig machen.",
   "help.else": "Alles andere",
   "help.else-text":
     "Unter Lage stehen Aufbau, Tische und Kugeln, unter Physik die Modelle und ihre Beiwerte.",

@@ -8,6 +8,9 @@ export const share: Translation<typeof en.share> = {
   "share.files": "Dateien",
   "share.python": "Als Python kopieren",
   "share.python-copied": "Python-Programm kopiert.",
+  "share.game-python": "Spiel als Python kopieren",
+  "share.game-copied": "Das Spiel ist als Python-Programm kopiert.",
+  "share.record": "Aufzeichnung des Spiels herunterladen",
   "share.copy-shot": "Stoßdatei kopieren",
   "share.shot-copied": "Stoßdatei kopiert.",
   "share.download-shot": "Stoßdatei herunterladen",
@@ -68,4 +71,11 @@ export const share: Translation<typeof en.share> = {
   "film.cancelled": "Abgebrochen.",
   "film.cannot":
     "Dieser Browser kann keine Videos erzeugen: Nehmen Sie Chrome, Edge, Firefox oder Safari in einer neuen Version.",
+
+  "share.link-text": "Link als Text",
+  "share.copy-text": "Als Text kopieren",
+  "share.text-copied": "Text kopiert.",
+  "share.save-text": "Als Datei speichern",
+  "share.local":
+    "Diese Seite ist eine Datei auf Ihrem Gerät; ihre Adresse lässt sich anderswo nicht öffnen. Senden Sie den Text oder die Datei: „Öffnen“ auf jeder carom-Seite liest die Datei, und der Text gehört hinter die Adresse einer Seite, die ein Server liefert, etwa „carom play“.",
 };

@@ -25,6 +25,8 @@ export const shot: Translation<typeof en.shot> = {
   "pocket.right": "Mitte rechts",
   "pocket.top-left": "oben links",
   "pocket.top-right": "oben rechts",
+  "pocket.top": "Mitte oben",
+  "pocket.bottom": "Mitte unten",
   "pocket.named": "Tasche {pocket}",
 
   "rail.bottom": "Bande unten",
@@ -34,6 +36,10 @@ export const shot: Translation<typeof en.shot> = {
   "rail.left-lower": "Bande links unten",
   "rail.left-upper": "Bande links oben",
   "rail.right-lower": "Bande rechts unten",
+  "rail.top-left": "Bande oben links",
+  "rail.top-right": "Bande oben rechts",
+  "rail.bottom-left": "Bande unten links",
+  "rail.bottom-right": "Bande unten rechts",
   "rail.right-upper": "Bande rechts oben",
 
   "length.mm": "{length} mm",

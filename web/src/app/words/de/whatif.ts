@@ -21,6 +21,10 @@ export const whatif: Translation<typeof en.whatif> = {
   "whatif.seed-hint": "Derselbe Startwert gibt dieselben Fehler, hier und in Python.",
   "whatif.seed-range": "Startwert: Schreiben Sie eine ganze Zahl von 0 bis {largest}.",
   "whatif.cling": "Haften zwischen Kugeln",
+  "whatif.legend-stops": "Farben auf dem Tuch: wo der Spielball stoppt",
+  "whatif.few": "wenige Varianten",
+  "whatif.many": "viele",
+  "whatif.legend-paths": "Die weißen Linien sind die Wege des Spielballs in {count} der Varianten.",
   "whatif.no-worker":
     "Dieser Browser kann nicht im Hintergrund rechnen: Öffnen Sie die Seite in einem anderen.",
 

@@ -61,4 +61,16 @@ export const aim = {
   "change.struck": "strike another ball",
   "change.strike": "strike {ball}",
   "change.take": "take it from here",
+
+  "power.label": "Power",
+  "power.speed": "{speed} {unit}, {word}",
+  "power.soft": "soft",
+  "power.lag": "lag speed",
+  "power.firm": "firm",
+  "power.hard": "hard",
+  "power.break": "break",
+
+  "aim.guides": "Tangent line and natural angle",
+  "aim.guides-hint":
+    "Behind the ghost ball: where a cue ball goes that slides, and where one goes that rolls.",
 } as const;

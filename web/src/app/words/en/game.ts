@@ -1,7 +1,7 @@
 /** Games: the bar, the Game tab, calls, and the referee. */
 export const game = {
   "setup.title": "Play a game",
-  "setup.hint": "Two players share this page; a referee applies the rules.",
+  "setup.hint": "Two players, persons or machines; a referee applies the rules.",
   "setup.game": "Game",
   "setup.begin-with": "Begin with",
   "setup.new-rack": "A new rack",
@@ -16,7 +16,7 @@ export const game = {
   "setup.miss": "Call a foul and a miss",
   "setup.players": "Players",
   "setup.player": "Player {number}",
-  "setup.errors": "Errors",
+  "setup.errors-of": "Errors of {player}",
   "setup.no-errors": "None",
   "setup.errors-hint":
     "With errors a shot differs from the aim as it does for a player of that level. The levels are estimates; the Olympiad’s numbers are published.",
@@ -49,7 +49,7 @@ export const game = {
   "call.nominated-ball": "Nominated ball",
   "call.called-pocket": "Called pocket",
   "call.hint": "Or tap the ball and the pocket on the table.",
-  "call.predicted": "As predicted: {call}",
+  "call.from-aim": "From the aim: {call}",
   "call.a-safety": "a safety",
   "call.a-push-out": "a push-out",
   "call.ball-and-pocket": "{ball}, {pocket}",

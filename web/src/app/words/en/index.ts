@@ -1,11 +1,15 @@
 export { aim } from "./aim.ts";
+export { drills } from "./drills.ts";
+export { analyse } from "./analyse.ts";
 export { game } from "./game.ts";
 export { layout } from "./layout.ts";
 export { page } from "./page.ts";
 export { physics } from "./physics.ts";
+export { play } from "./play.ts";
 export { pot } from "./pot.ts";
 export { presets } from "./presets.ts";
 export { replay } from "./replay.ts";
 export { share } from "./share.ts";
 export { shot } from "./shot.ts";
+export { train } from "./train.ts";
 export { whatif } from "./whatif.ts";

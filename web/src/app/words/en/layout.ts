@@ -33,4 +33,9 @@ export const layout = {
   "change.photo": "layout from a photo",
   "change.parameter": "change {name}",
   "change.physics": "change the physics",
+  "layout.tray": "Tray",
+  "layout.tray-hint":
+    "Drag a ball onto the table, or press it. To take a ball away, drag it off the table.",
+  "layout.put": "Put {ball} on the table",
+  "layout.let-go": "Let go to take {ball} off the table.",
 } as const;

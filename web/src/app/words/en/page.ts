@@ -19,6 +19,12 @@ export const page = {
   "history.nothing-to-undo": "There is nothing to undo.",
   "history.nothing-to-redo": "There is nothing to redo.",
 
+  "page.tools": "Tools",
+  "page.activity": "Activity",
+  "activity.analyse": "Analyse",
+  "activity.play": "Play",
+  "activity.train": "Train",
+
   "camera.top": "From above",
   "camera.orbit": "Free camera: drag to turn it",
   "camera.cue": "Behind the cue",
@@ -30,21 +36,23 @@ export const page = {
 
   "tab.state": "Replay",
   "tab.aim": "Aim",
+  "tab.lines": "Best",
+  "tab.tree": "Shots",
   "tab.layout": "Layout",
   "tab.physics": "Physics",
   "tab.game": "Game",
   "tab.whatif": "What if",
+  "tab.train": "Drills",
 
   "steps.title": "First steps",
-  "steps.next": "Next",
+  "steps.pot":
+    "Pot the 9: drag on the table until the line clicks into the lit pocket, then shoot.",
+  "steps.stop": "Now pot the 1 and leave the cue ball in the circle: strike it lower, and harder.",
+  "steps.well-done": "Well done.",
+  "steps.again": "Not yet.",
+  "steps.end":
+    "Well done. Best names the best shots of any position; under Play you play the machine, under Train you practise.",
   "steps.skip": "Skip",
-  "steps.done": "Done",
-  "steps.count": "{step} of {steps}",
-  "steps.0": "Drag on the cloth to turn the cue. The lines show the whole shot.",
-  "steps.1":
-    "Under Aim, click the ball for English, follow or draw; set speed and elevation below it.",
-  "steps.2": "Press Shoot, then move through the replay, or continue from where the balls stop.",
-  "steps.3": "Drag a ball to move it. Undo takes back every change.",
 
   "language.label": "Language",
   "language.hint":
@@ -66,13 +74,14 @@ export const page = {
   "help.ahead-text":
     "While you aim, the page simulates the whole shot, draws the paths of the balls, and describes the outcome below the table.",
   "help.shoot": "Shoot",
-  "help.shoot-text": "Plays the shot. “Take it from here” continues from where the balls stop.",
+  "help.shoot-text":
+    "Plays the shot. Or press on the cue, pull it back and release it: the pull sets the speed, and at its start nothing is played. “Take it from here” continues from where the balls stop.",
   "help.move": "Move balls",
   "help.move-text":
     "Drag a ball to move it. At a place that is not allowed it turns red, the page gives the reason, and the ball goes back.",
   "help.game": "Play a game",
   "help.game-text":
-    "Under Game two players play a frame with a referee. Tap a ball and a pocket to call them. Undo also takes back shots.",
+    "Under Play, persons and machines play a frame with a referee. A call that is required follows the aim; tap a ball and a pocket to call others. Undo also takes back shots.",
   "help.else": "Everything else",
   "help.else-text":
     "Layout has racks, tables and balls; Physics has the models and their coefficients.",

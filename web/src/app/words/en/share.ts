@@ -6,6 +6,9 @@ export const share = {
   "share.files": "Files",
   "share.python": "Copy as Python",
   "share.python-copied": "Python program copied.",
+  "share.game-python": "Copy the game as Python",
+  "share.game-copied": "The game is copied as a Python program.",
+  "share.record": "Download the record of the game",
   "share.copy-shot": "Copy shot file",
   "share.shot-copied": "Shot file copied.",
   "share.download-shot": "Download shot file",
@@ -58,4 +61,11 @@ export const share = {
   "film.ready": "The film is ready, {megabytes} MB.",
   "film.cancelled": "Cancelled.",
   "film.cannot": "This browser cannot encode films: use a recent Chrome, Edge, Firefox or Safari.",
+
+  "share.link-text": "Link as text",
+  "share.copy-text": "Copy as text",
+  "share.text-copied": "Text copied.",
+  "share.save-text": "Save as a file",
+  "share.local":
+    "This page is a file on your device, so its address opens nowhere else. Send the text or the file: “Open” on any carom page reads the file, and the text goes behind the address of a page that is served, for instance by “carom play”.",
 } as const;

@@ -19,10 +19,12 @@ export const shot = {
 
   "pocket.bottom-left": "bottom left",
   "pocket.bottom-right": "bottom right",
-  "pocket.left": "left",
-  "pocket.right": "right",
+  "pocket.left": "left side",
+  "pocket.right": "right side",
   "pocket.top-left": "top left",
   "pocket.top-right": "top right",
+  "pocket.top": "top side",
+  "pocket.bottom": "bottom side",
   "pocket.named": "{pocket} pocket",
 
   "rail.bottom": "the bottom rail",
@@ -32,6 +34,10 @@ export const shot = {
   "rail.left-lower": "the left lower rail",
   "rail.left-upper": "the left upper rail",
   "rail.right-lower": "the right lower rail",
+  "rail.top-left": "the top left rail",
+  "rail.top-right": "the top right rail",
+  "rail.bottom-left": "the bottom left rail",
+  "rail.bottom-right": "the bottom right rail",
   "rail.right-upper": "the right upper rail",
 
   "length.mm": "{length} mm",

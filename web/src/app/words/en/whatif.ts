@@ -20,6 +20,11 @@ export const whatif = {
   "whatif.seed-hint": "The same seed gives the same errors, here and in Python.",
   "whatif.seed-range": "Seed: write a whole number from 0 to {largest}.",
   "whatif.cling": "Cling between balls",
+  "whatif.legend-stops": "Colours on the cloth: where the cue ball stops",
+  "whatif.few": "few variants",
+  "whatif.many": "many",
+  "whatif.legend-paths":
+    "The white lines are the paths of the cue ball in {count} of the variants.",
   "whatif.no-worker":
     "This browser cannot simulate in the background: open the page in another browser.",
 

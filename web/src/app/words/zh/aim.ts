@@ -61,4 +61,15 @@ export const aim: Translation<typeof en.aim> = {
   "change.struck": "换一颗球击打",
   "change.strike": "击打{ball}",
   "change.take": "从这里继续",
+
+  "power.label": "力度",
+  "power.speed": "{speed} {unit}，{word}",
+  "power.soft": "轻",
+  "power.lag": "比球力度",
+  "power.firm": "中",
+  "power.hard": "重",
+  "power.break": "开球",
+
+  "aim.guides": "切线与自然角",
+  "aim.guides-hint": "假想球之后：滑动的母球走向哪里，滚动的母球走向哪里。",
 };

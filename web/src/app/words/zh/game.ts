@@ -3,7 +3,7 @@ import type { Translation } from "../entry.ts";
 
 export const game: Translation<typeof en.game> = {
   "setup.title": "打一场比赛",
-  "setup.hint": "两名球员共用本页面，由裁判执行规则。",
+  "setup.hint": "两名球员，真人或机器；由裁判执行规则。",
   "setup.game": "玩法",
   "setup.begin-with": "开局",
   "setup.new-rack": "重新摆球",
@@ -18,7 +18,7 @@ export const game: Translation<typeof en.game> = {
   "setup.miss": "判无意识救球",
   "setup.players": "球员",
   "setup.player": "球员 {number}",
-  "setup.errors": "误差",
+  "setup.errors-of": "{player}的误差",
   "setup.no-errors": "无",
   "setup.errors-hint":
     "有误差时，击球会像该水平的球员那样偏离瞄准。各水平为估计值；奥林匹克的数值是公开发表的。",
@@ -51,7 +51,7 @@ export const game: Translation<typeof en.game> = {
   "call.nominated-ball": "指定的目标球",
   "call.called-pocket": "指定的袋口",
   "call.hint": "也可以在球台上点击球和袋口。",
-  "call.predicted": "按预测：{call}",
+  "call.from-aim": "按瞄准：{call}",
   "call.a-safety": "防守",
   "call.a-push-out": "推球",
   "call.ball-and-pocket": "{ball}，{pocket}",

@@ -35,4 +35,8 @@ export const layout: Translation<typeof en.layout> = {
   "change.photo": "从照片得到布局",
   "change.parameter": "改变{name}",
   "change.physics": "更换物理参数",
+  "layout.tray": "球盘",
+  "layout.tray-hint": "把球拖到球台上，或点按它。把球拖出球台即可拿走。",
+  "layout.put": "把{ball}放到球台上",
+  "layout.let-go": "松开即可把{ball}拿下球台。",
 };

@@ -8,6 +8,9 @@ export const share: Translation<typeof en.share> = {
   "share.files": "文件",
   "share.python": "复制为 Python",
   "share.python-copied": "已复制 Python 程序。",
+  "share.game-python": "将比赛复制为 Python",
+  "share.game-copied": "已将比赛复制为 Python 程序。",
+  "share.record": "下载比赛记录",
   "share.copy-shot": "复制击球文件",
   "share.shot-copied": "已复制击球文件。",
   "share.download-shot": "下载击球文件",
@@ -59,4 +62,11 @@ export const share: Translation<typeof en.share> = {
   "film.ready": "影片已完成，{megabytes} MB。",
   "film.cancelled": "已取消。",
   "film.cannot": "这个浏览器无法生成影片：请使用较新的 Chrome、Edge、Firefox 或 Safari。",
+
+  "share.link-text": "文本形式的链接",
+  "share.copy-text": "复制为文本",
+  "share.text-copied": "文本已复制。",
+  "share.save-text": "保存为文件",
+  "share.local":
+    "本页面是您设备上的文件，它的地址在别处打不开。请发送文本或文件：任何 carom 页面的“打开”都能读取该文件；文本可以接在由服务器提供的页面地址之后，例如“carom play”。",
 };

@@ -25,6 +25,8 @@ export const shot: Translation<typeof en.shot> = {
   "pocket.right": "右中",
   "pocket.top-left": "左上",
   "pocket.top-right": "右上",
+  "pocket.top": "上中",
+  "pocket.bottom": "下中",
   "pocket.named": "{pocket}袋",
 
   "rail.bottom": "下库边",
@@ -34,6 +36,10 @@ export const shot: Translation<typeof en.shot> = {
   "rail.left-lower": "左下库边",
   "rail.left-upper": "左上库边",
   "rail.right-lower": "右下库边",
+  "rail.top-left": "上左库边",
+  "rail.top-right": "上右库边",
+  "rail.bottom-left": "下左库边",
+  "rail.bottom-right": "下右库边",
   "rail.right-upper": "右上库边",
 
   "length.mm": "{length} 毫米",

@@ -20,6 +20,10 @@ export const whatif: Translation<typeof en.whatif> = {
   "whatif.seed-hint": "相同的种子给出相同的误差，在这里和在 Python 中都一样。",
   "whatif.seed-range": "随机种子：请输入 0 到 {largest} 的整数。",
   "whatif.cling": "球间黏滞",
+  "whatif.legend-stops": "台布上的颜色：母球停在哪里",
+  "whatif.few": "较少",
+  "whatif.many": "较多",
+  "whatif.legend-paths": "白线是其中 {count} 次的母球线路。",
   "whatif.no-worker": "这个浏览器不能在后台模拟：请用别的浏览器打开本页面。",
 
   "sigma.speed": "杆速",

@@ -1,14 +1,18 @@
 /** The form that starts a game. */
 
-import type { FrameOptions } from "../../engine/index.ts";
-import type { Context } from "../common/context.ts";
-import { h, uniqueId } from "../common/dom.ts";
-import { gameName, levelName, presetLabel, presetOptions } from "../common/presets.ts";
-import type { Store } from "../document/store.ts";
-import { LONGEST_NAME, type Setup } from "../document/game.ts";
-import { startGame } from "./play.ts";
-import { isForOne } from "./words.ts";
-import { t } from "../words/translate.ts";
+import type { FrameOptions } from "../../../engine/index.ts";
+import type { Context } from "../../common/context.ts";
+import { h, uniqueId } from "../../common/dom.ts";
+import { gameName, presetLabel, presetOptions } from "../../common/presets.ts";
+import { GUIDES, newGame } from "../../document/game.ts";
+import type { Store } from "../../document/store.ts";
+import { openLag } from "../match/lag-dialog.ts";
+import { startGame, startReady } from "../play.ts";
+import { t } from "../../words/translate.ts";
+import { label, labelled, number, select, whole } from "./controls.ts";
+import { LONGEST_RACE } from "../match/race.ts";
+import { mountMatch } from "./match.ts";
+import { mountPlayers } from "./players.ts";
 
 /** Seeds drawn by a click are below this: short numbers are easy to pass on. */
 const SEEDS = 10_000;
@@ -32,15 +36,6 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   const seed = number(drawn(), 0);
   const goal = number(40, 1);
   const miss = h("input", { type: "checkbox", id: uniqueId("miss"), checked: true });
-  const names = [0, 1].map((player) => name(player)) as [HTMLInputElement, HTMLInputElement];
-  const levels = Object.keys(engine.noisePresets);
-  const skills = [0, 1].map(() =>
-    select([
-      ["", t("setup.no-errors")],
-      ...levels.map((level): [string, string] => [level, levelName(level)]),
-    ]),
-  ) as [HTMLSelectElement, HTMLSelectElement];
-
   const start = select([
     ["", t("setup.new-rack")],
     [AS_THEY_LIE, t("setup.as-they-lie")],
@@ -49,31 +44,45 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   const seedRow = h("div", { class: "pair" }, labelled(t("setup.seed"), seed), shuffle());
   const goalRow = labelled(t("setup.points"), goal);
   const missRow = h("div", { class: "switch row" }, miss, label(miss, t("setup.miss")));
-  const players = [0, 1].map((k) =>
-    h(
-      "div",
-      { class: "pair player" },
-      labelled(t("setup.player", { number: k + 1 }), names[k]!),
-      labelled(t("setup.errors"), skills[k]!),
-    ),
-  );
+  const seats = h("div");
+  const players = mountPlayers(seats, context);
+  const guide = select(GUIDES.map((name) => [name, t(`guide.${name}`)]));
+  guide.value = "short";
+  const match = mountMatch();
   const begin = (): void => {
     const options = readOptions();
     const from = start.value === AS_THEY_LIE ? store.shot.file : null;
-    if (options) startGame(store, context, { rules: rules.value, options, from, ...chosen() });
+    if (!options) return;
+    const shown = GUIDES.find((name) => name === guide.value)!;
+    const people = players.read();
+    const terms = match.read();
+    if (terms === null) {
+      store.refuse(t("race.refused", { most: LONGEST_RACE }));
+      return;
+    }
+    const own = { ...people.setup, guide: shown, ...terms };
+    const setup = { rules: rules.value, options, from, ...own };
+    // A friend at another page cannot lag at the same time.
+    if (!match.lags() || people.here !== undefined) {
+      startGame(store, context, setup, people.here);
+      return;
+    }
+    openLag(newGame(setup), context, (game) => {
+      startReady(store, context, game);
+    });
   };
+  const rack = h("details", {}, h("summary", {}, t("setup.rack")));
+  rack.append(labelled(t("setup.begin-with"), start), tableRow, seedRow);
   root.append(
     h("h2", {}, t("setup.title")),
     h("p", { class: "hint" }, t("setup.hint")),
     labelled(t("setup.game"), rules),
-    labelled(t("setup.begin-with"), start),
-    tableRow,
-    seedRow,
     goalRow,
     missRow,
-    h("h2", {}, t("setup.players")),
-    ...players,
-    h("p", { class: "hint" }, t("setup.errors-hint")),
+    seats,
+    labelled(t("guide.label"), guide),
+    match.root,
+    rack,
     h("div", { class: "row end" }, primary(t("setup.start"), begin)),
   );
 
@@ -83,12 +92,6 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
       seed.value = String(drawn());
     });
     return button;
-  }
-
-  function chosen(): Pick<Setup, "names" | "skills"> {
-    const read = (k: 0 | 1) => names[k].value.trim() || t("setup.player", { number: k + 1 });
-    const skill = (k: 0 | 1) => skills[k].value || null;
-    return { names: [read(0), read(1)], skills: [skill(0), skill(1)] };
   }
 
   function readOptions(): FrameOptions | null {
@@ -118,7 +121,8 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
     goalRow.hidden = !WITH_GOAL.has(rules.value);
     tableRow.hidden = seedRow.hidden = start.value === AS_THEY_LIE;
     missRow.hidden = rules.value !== "snooker";
-    players[1]!.hidden = isForOne(rules.value);
+    players.show(rules.value);
+    match.show(rules.value);
   };
   rules.addEventListener("change", show);
   start.addEventListener("change", show);
@@ -128,38 +132,6 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
 
 function drawn(): number {
   return Math.floor(Math.random() * SEEDS);
-}
-
-function select(options: readonly (readonly [value: string, text: string])[]): HTMLSelectElement {
-  const items = options.map(([value, text]) => h("option", { value }, text));
-  return h("select", { id: uniqueId("choose") }, ...items);
-}
-
-function number(value: number, min: number): HTMLInputElement {
-  return h("input", { type: "number", id: uniqueId("number"), min, step: 1, value });
-}
-
-function name(player: number): HTMLInputElement {
-  return h("input", {
-    type: "text",
-    id: uniqueId("name"),
-    value: t("setup.player", { number: player + 1 }),
-    maxlength: LONGEST_NAME,
-    autocomplete: "off",
-  });
-}
-
-function whole(input: HTMLInputElement, least: number): number | null {
-  const value = Number(input.value);
-  return input.value.trim() !== "" && Number.isSafeInteger(value) && value >= least ? value : null;
-}
-
-function label(control: HTMLElement, text: string): HTMLElement {
-  return h("label", { for: control.id }, text);
-}
-
-function labelled(text: string, control: HTMLElement): HTMLElement {
-  return h("div", { class: "labelled" }, label(control, text), control);
 }
 
 function primary(text: string, onclick: () => void): HTMLButtonElement {

@@ -1,0 +1,39 @@
+/** The orders of balls of a plan, and the interval of its chance. */
+
+/** A 95 % interval of a chance: Wilson's. */
+export function interval(met: number, count: number): readonly [number, number] {
+  const z = 1.96;
+  const p = met / count;
+  const middle = (p + z ** 2 / (2 * count)) / (1 + z ** 2 / count);
+  const half =
+    (z * Math.sqrt((p * (1 - p)) / count + (z / (2 * count)) ** 2)) / (1 + z ** 2 / count);
+  return [Math.max(0, middle - half), Math.min(1, middle + half)];
+}
+
+/**
+ * The orders of balls that a plan may have: those that agree with the chosen balls and with the game. In
+ * nine-ball and ten-ball the lowest ball comes first; in eight-ball all are of one group.
+ */
+export function ordersOf(
+  balls: readonly string[],
+  chosen: readonly (string | null)[],
+  rules: string | null,
+): string[][] {
+  const rotation = rules === "nine-ball" || rules === "ten-ball";
+  const group = (id: string) => (Number(id) < 8 ? "solids" : "stripes");
+  const groups = rules === "eight-ball";
+  const allowed = groups ? balls.filter((id) => id !== "8") : balls;
+  const rising = [...allowed].sort((a, b) => Number(a) - Number(b));
+  const isFree = chosen.every((ball) => ball === null);
+  if (rotation && isFree) return [rising.slice(0, chosen.length)];
+  let orders: string[][] = [[]];
+  for (const wanted of chosen) {
+    orders = orders.flatMap((order) =>
+      (wanted === null ? allowed : [wanted])
+        .filter((ball) => !order.includes(ball))
+        .filter((ball) => !groups || !isFree || order.every((id) => group(id) === group(ball)))
+        .map((ball) => [...order, ball]),
+    );
+  }
+  return orders;
+}

@@ -1,0 +1,39 @@
+/** Shows one result of the analysis on the table, until another one is shown or the document changes. */
+
+import { CaromError, type Shot, type Trace } from "../../engine/index.ts";
+import type { Area } from "../../viewer/index.ts";
+import type { Store } from "../document/store.ts";
+
+/** The trace that is shown; it is freed when another one takes its place. */
+let shown: Trace | null = null;
+
+/** Shows the simulation of `shot`, which is freed, with areas on the cloth. */
+export function showShot(store: Store, shot: Shot, areas: readonly Area[]): void {
+  try {
+    replace(store, shot.simulate(), areas);
+  } catch (error) {
+    if (!(error instanceof CaromError)) throw error;
+    replace(store, null, areas);
+  } finally {
+    shot.free();
+  }
+}
+
+/** Shows areas on the cloth beside the aimed shot. */
+export function showAreas(store: Store, areas: readonly Area[]): void {
+  replace(store, null, areas);
+}
+
+/** Shows the aimed shot alone. */
+export function hidePreview(store: Store): void {
+  if (store.session.preview) store.setSession({ preview: null });
+  shown?.free();
+  shown = null;
+}
+
+function replace(store: Store, trace: Trace | null, areas: readonly Area[]): void {
+  const before = shown;
+  shown = trace;
+  store.setSession({ preview: { trace, areas } });
+  before?.free();
+}

@@ -1,0 +1,141 @@
+/**
+ * The first steps: two shots on the table, with a line beside Shoot that says what to do. They end when the
+ * user does something else, and do not come again by themselves once they are done or skipped.
+ */
+
+import type { Trace } from "../../engine/index.ts";
+import type { Context } from "../common/context.ts";
+import { arc } from "../common/arc.ts";
+import { h } from "../common/dom.ts";
+import type { Attempt } from "../document/document.ts";
+import type { Store } from "../document/store.ts";
+import { leave } from "../replay/control.ts";
+import { paragraph, t } from "../words/translate.ts";
+import { isDone, type Lesson, LESSONS } from "./lessons.ts";
+
+/** Name in the browser's storage under which it is kept that the first steps were seen. */
+const SEEN = "carom-first-steps";
+
+/** Time (ms) between the end of a replay and the next step: enough to see where the balls stopped. */
+const PAUSE = 1200;
+
+const COLOR = "#ffffff";
+
+/** Whether the first steps were done or skipped in this browser. */
+export function hasSeenOpening(): boolean {
+  try {
+    return localStorage.getItem(SEEN) !== null;
+  } catch {
+    // A page in a frame may have no storage: its reader has come for something else.
+    return true;
+  }
+}
+
+/**
+ * @param begins Whether the page opens with the first step, whose shot is the present one.
+ * @returns A function that begins the steps again.
+ */
+export function mountOpening(
+  root: HTMLElement,
+  store: Store,
+  context: Context,
+  begins: boolean,
+): () => void {
+  let step = -1;
+  let attempt: Attempt | null = null;
+  let judged: Trace | null = null;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  const skip = h("button", { type: "button", class: "button", onclick: end }, t("steps.skip"));
+  const region = h("section", { class: "steps", "aria-label": t("steps.title") }, skip);
+  root.append(region);
+
+  function show(): void {
+    region.hidden = step < 0;
+  }
+
+  /** @param isSet Whether the page shows the shot of the lesson already. */
+  function begin(next: number, said = "", isSet = false): void {
+    const lesson = LESSONS[next]!;
+    // The changes that follow are not the user's.
+    step = -1;
+    if (!isSet) {
+      store.setSession({ attempt: null, lock: null });
+      store.apply({ shot: lesson.shot, game: null }, t("steps.title"));
+    }
+    attempt = attemptOf(lesson, said);
+    store.setSession({ attempt, activity: "analyse" });
+    step = next;
+    show();
+  }
+
+  function end(): void {
+    clearTimeout(timer);
+    step = -1;
+    if (store.session.attempt === attempt) store.setSession({ attempt: null });
+    attempt = null;
+    try {
+      localStorage.setItem(SEEN, "1");
+    } catch {
+      // Without storage the steps come again at the next visit.
+    }
+    show();
+    document.getElementById("table")?.focus();
+  }
+
+  function judge(trace: Trace): void {
+    const lesson = LESSONS[step]!;
+    if (!isDone(lesson, trace)) {
+      if (store.session.mode === "replay") leave(store);
+      attempt = attemptOf(lesson, t("steps.again"));
+      store.setSession({ attempt });
+    } else if (step + 1 < LESSONS.length) {
+      begin(step + 1, t("steps.well-done"));
+    } else {
+      if (store.session.mode === "replay") leave(store);
+      end();
+      context.announce(t("steps.end"));
+    }
+  }
+
+  store.subscribe(({ session, document: now }, before) => {
+    if (step < 0) return;
+    const { trace, playing, time, mode } = session;
+    const isOther =
+      session.attempt !== attempt ||
+      session.activity !== "analyse" ||
+      now.game !== null ||
+      now.shot.balls !== LESSONS[step]!.shot.balls;
+    if (isOther && mode === "aim") {
+      end();
+      return;
+    }
+    if (!trace) {
+      judged = null;
+      clearTimeout(timer);
+    } else if (!playing && time >= trace.duration && trace !== judged) {
+      judged = trace;
+      timer = setTimeout(() => {
+        if (store.session.trace === trace) judge(trace);
+      }, PAUSE);
+    } else if (playing && !before.session.playing) {
+      // Played again from its end.
+      judged = null;
+      clearTimeout(timer);
+    }
+  });
+  if (begins) begin(0, "", true);
+  show();
+  return () => {
+    begin(0);
+  };
+}
+
+function attemptOf({ text, pocket, circle }: Lesson, said: string): Attempt {
+  return {
+    text: paragraph([said, t(text)]),
+    areas: circle ? [{ outline: arc(circle.center, circle.radius), color: COLOR }] : [],
+    pocket,
+    errors: null,
+    seed: 0,
+  };
+}

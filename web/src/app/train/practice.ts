@@ -1,0 +1,345 @@
+/**
+ * A drill or the puzzle of the day in progress, on the page's table or at a real one. On the page it sets
+ * the balls, judges every shot after its replay, and restores the earlier document at the end.
+ */
+
+import type { Trace } from "../../engine/index.ts";
+import type { Context } from "../common/context.ts";
+import type { AimedShot, Attempt, Document } from "../document/document.ts";
+import type { State, Store } from "../document/store.ts";
+import { leave } from "../replay/control.ts";
+import { paragraph, t } from "../words/translate.ts";
+import { markedAreas } from "./areas.ts";
+import type { Drill } from "./drills/index.ts";
+import { judge, restOf, type Verdict } from "./judge.ts";
+import { type Deviation, deviation, layoutOf, type Setting } from "./layout.ts";
+import { clothOf } from "./places.ts";
+import type { Keeper } from "./progress/keeper.ts";
+import type { Result } from "./progress/progress.ts";
+import type { Puzzle } from "./puzzle/generate.ts";
+import { counted, stepAfter, total } from "./score.ts";
+import { goalText, puzzleText, scoreText, verdictText } from "./words.ts";
+
+/** Time (ms) between the end of a replay and the next attempt: enough to see where the balls stopped. */
+const PAUSE = 1600;
+
+/** Seeds of errors are below this. */
+const SEEDS = 2 ** 31;
+
+/** What is practised. */
+export interface Running {
+  readonly drill: Drill;
+  readonly place: Result["place"];
+  /** Name of the level whose errors the strikes have; null: none. */
+  readonly errors: string | null;
+  /** The puzzle, if it is one: it has no score, and ends when it is solved. */
+  readonly puzzle: Puzzle | null;
+  /** Points of the attempts so far, as the score counts them. */
+  readonly points: readonly number[];
+  /** Shots of the present attempt so far, and the balls that its run still has to pot. */
+  readonly shots: number;
+  readonly left: readonly string[];
+  /** How the last shot went; empty before the first. */
+  readonly said: string;
+  /** Set at the end. */
+  readonly result: Result | null;
+  readonly solved: boolean;
+}
+
+/** What belongs to a drill on the page's table. */
+interface OnPage {
+  /** The document before the drill. */
+  readonly before: Document;
+  /** The layout of the present attempt. */
+  set: AimedShot;
+  seed: number;
+  /** The verdict of the shot that is replayed, and where it leaves the balls. */
+  verdict: Verdict | Deviation | null;
+  next: AimedShot | null;
+  /** The deviation of which the panel knows. */
+  deviation: Deviation | null;
+  timer: ReturnType<typeof setTimeout> | undefined;
+}
+
+export class Practice {
+  readonly #store: Store;
+  readonly #context: Context;
+  readonly #keeper: Keeper;
+  readonly #listeners = new Set<() => void>();
+  #running: Running | null = null;
+  #page: OnPage | null = null;
+
+  constructor(store: Store, context: Context, keeper: Keeper) {
+    this.#store = store;
+    this.#context = context;
+    this.#keeper = keeper;
+    store.subscribe((now, before) => this.#follow(now, before));
+  }
+
+  /** What is practised; null if nothing is. */
+  get running(): Running | null {
+    return this.#running;
+  }
+
+  /** The step of the present attempt. */
+  get setting(): Setting | null {
+    const running = this.#running;
+    if (!running) return null;
+    const { drill, points } = running;
+    return { drill, step: drill.steps[stepAfter(drill, points)]!, attempt: points.length };
+  }
+
+  /** How the balls on the page differ from the layout; null if they do not, or at a real table. */
+  get deviation(): Deviation | null {
+    const { setting } = this;
+    if (!setting || !this.#page || this.#running?.result) return null;
+    const { shot } = this.#store.document;
+    return deviation(this.#context.engine, setting, this.#page.set, shot, this.#inHand());
+  }
+
+  subscribe(listener: () => void): void {
+    this.#listeners.add(listener);
+  }
+
+  /** Starts a drill on the page's table. The document is kept until `leave`. */
+  start(drill: Drill, errors: string | null, puzzle: Puzzle | null = null): void {
+    const before = this.#page?.before ?? this.#store.document;
+    const setting = { drill, step: drill.steps[0]!, attempt: 0 };
+    const set = layoutOf(this.#context.engine, setting);
+    if (!this.#apply(set)) return;
+    const seed = Math.floor(Math.random() * SEEDS);
+    clearTimeout(this.#page?.timer);
+    this.#page = {
+      before,
+      set,
+      seed,
+      verdict: null,
+      next: null,
+      deviation: null,
+      timer: undefined,
+    };
+    this.#begin(drill, "page", errors, puzzle);
+  }
+
+  /** Starts a drill at a real table. */
+  startAtTable(drill: Drill): void {
+    this.leave();
+    this.#begin(drill, "table", null, null);
+  }
+
+  /** Ends the drill; on the page's table the document before it comes back. */
+  leave(): void {
+    const page = this.#page;
+    this.#running = null;
+    this.#page = null;
+    if (page) {
+      clearTimeout(page.timer);
+      leave(this.#store);
+      this.#store.setSession({ attempt: null });
+      if (this.#store.document !== page.before) {
+        this.#store.apply({ ...page.before }, t("change.leave-drill"));
+      }
+    }
+    this.#changed();
+  }
+
+  /** Sets the balls of the present attempt again. */
+  setAgain(): void {
+    const { setting } = this;
+    if (!setting || !this.#page) return;
+    this.#apply(this.#page.set);
+    this.#changed();
+  }
+
+  /** Points of an attempt at a real table. */
+  tap(points: number): void {
+    this.#count(points, "");
+  }
+
+  /** Takes the last attempt at a real table back. */
+  takeBack(): void {
+    if (this.#running?.place !== "table") return;
+    this.#set({ points: this.#running.points.slice(0, -1) });
+  }
+
+  #begin(drill: Drill, place: Result["place"], errors: string | null, puzzle: Puzzle | null) {
+    this.#running = {
+      drill,
+      place,
+      errors,
+      puzzle,
+      points: [],
+      shots: 0,
+      left: runOf(drill),
+      said: "",
+      result: null,
+      solved: false,
+    };
+    this.#changed();
+  }
+
+  #set(patch: Partial<Running>): void {
+    if (!this.#running) return;
+    this.#running = { ...this.#running, ...patch };
+    this.#changed();
+  }
+
+  /** Shows the attempt on the table, and informs the panel. */
+  #changed(): void {
+    if (this.#page) this.#store.setSession({ attempt: this.#attempt() });
+    for (const listener of this.#listeners) listener();
+  }
+
+  /** What the table shows of the attempt; null once the drill is over, and in another activity. */
+  #attempt(): Attempt | null {
+    const { setting } = this;
+    const running = this.#running;
+    if (!setting || !running || !this.#page || running.result || running.solved) return null;
+    if (this.#store.session.activity !== "train") return null;
+    const { engine } = this.#context;
+    const goal = running.puzzle ? puzzleText(running.puzzle) : goalText(setting);
+    return {
+      text: paragraph([running.said, ...(running.said === "" ? [goal] : []), scoreText(running)]),
+      areas: markedAreas(engine, setting, this.#inHand()),
+      errors: running.errors === null ? null : (engine.noisePresets[running.errors] ?? null),
+      seed: this.#page.seed,
+    };
+  }
+
+  /** Whether the cue ball may be placed now: only before the first shot of an attempt. */
+  #inHand(): boolean {
+    return this.#running?.shots === 0;
+  }
+
+  #apply(file: AimedShot): boolean {
+    // A miscue is an attempt too.
+    const shot: AimedShot = { ...file, strike: { ...file.strike, miscue: "report" } };
+    return this.#store.apply({ shot, noise: null, game: null }, t("change.drill"));
+  }
+
+  #follow(now: State, before: State): void {
+    const page = this.#page;
+    if (!page || !this.#running) return;
+    if (now.session.activity !== before.session.activity) {
+      this.#changed();
+      return;
+    }
+    if (!now.session.attempt) return;
+    const [is, was] = [now.session, before.session];
+    if (is.mode === "replay" && was.mode === "aim" && is.trace) this.#shot(page, is.trace);
+    const ended = is.mode === "replay" && is.trace && !is.playing && is.time >= is.trace.duration;
+    if (ended && page.verdict !== null) this.#pronounce(page, true);
+    else if (is.mode === "aim" && page.verdict !== null) this.#pronounce(page, false);
+    else if (is.mode === "aim" && was.mode === "replay") this.#next(page);
+    // The user watches the shot again.
+    if (is.mode === "replay" && is.playing) clearTimeout(page.timer);
+    const { deviation } = this;
+    if (deviation === page.deviation) return;
+    page.deviation = deviation;
+    for (const listener of this.#listeners) listener();
+  }
+
+  /** Judges a shot; the verdict is pronounced when its replay ends. */
+  #shot(page: OnPage, trace: Trace): void {
+    const { setting } = this;
+    const running = this.#running!;
+    page.verdict =
+      this.deviation ??
+      judge(
+        clothOf(this.#context.engine, running.drill.table),
+        running.drill,
+        setting!.step,
+        trace,
+        running.left,
+      );
+    page.next = continued(page.set, trace);
+    page.seed = (page.seed + 1) % SEEDS;
+  }
+
+  /** @param waits Whether the replay stays for a moment. */
+  #pronounce(page: OnPage, waits: boolean): void {
+    const verdict = page.verdict!;
+    page.verdict = null;
+    if (typeof verdict === "string") {
+      const said = t(`deviation.${verdict}`);
+      this.#context.announce(said);
+      this.#set({ said });
+    } else {
+      const { setting } = this;
+      const said = verdictText(verdict, setting!);
+      this.#context.announce(said);
+      if (verdict.left.length > 0) {
+        page.set = page.next!;
+        this.#set({ said, left: verdict.left, shots: this.#running!.shots + 1 });
+      } else {
+        this.#count(verdict.points, said);
+      }
+    }
+    if (waits) {
+      clearTimeout(page.timer);
+      page.timer = setTimeout(() => {
+        if (this.#store.session.mode === "replay") leave(this.#store);
+      }, PAUSE);
+    } else {
+      this.#next(page);
+    }
+  }
+
+  /** Sets the balls of the next shot, unless they lie so already. */
+  #next(page: OnPage): void {
+    if (this.#running?.result || this.#running?.solved) return;
+    if (this.deviation !== null && this.#page === page) this.#apply(page.set);
+    this.#changed();
+  }
+
+  /** Counts an attempt, and sets the layout of the next one. */
+  #count(points: number, said: string): void {
+    const running = this.#running;
+    const { setting } = this;
+    if (!running || !setting || running.result) return;
+    const { drill } = running;
+    const step = drill.steps.indexOf(setting.step);
+    const all = [...running.points, counted(drill, step, points)];
+    const next = { points: all, said, shots: 0, left: runOf(drill) };
+    if (running.puzzle) {
+      const solved = points > 0;
+      const { date } = running.puzzle;
+      this.#keeper.addPuzzle({ date, tries: all.length, solved });
+      this.#set({ ...next, solved });
+    } else if (all.length < drill.attempts) {
+      this.#running = { ...running, ...next };
+      if (this.#page) this.#page.set = this.#layout();
+      this.#changed();
+    } else {
+      const { place, errors } = running;
+      const ended = new Date().toISOString();
+      const result = { drill: drill.id, ended, place, points: all, errors };
+      this.#keeper.addResult(result);
+      this.#set({ ...next, result });
+    }
+  }
+
+  #layout(): AimedShot {
+    return layoutOf(this.#context.engine, this.setting!);
+  }
+}
+
+/** The balls that the attempts of a drill have to pot, if they are runs. */
+function runOf({ steps }: Drill): readonly string[] {
+  const { goal } = steps[0]!;
+  return goal.kind === "run" ? goal.balls : [];
+}
+
+/** The layout with the balls where a shot left them. */
+function continued(set: AimedShot, trace: Trace): AimedShot {
+  const gone = new Set(trace.outcome.pocketed.map(([ball]) => ball));
+  const balls = set.balls
+    .filter(({ id }) => !gone.has(id))
+    .map((ball) => ({ ...ball, position: restOf(trace, ball.id)! }));
+  return { ...set, balls };
+}
+
+/** The score of what is practised. */
+export function scoreOf({ points }: Running): number {
+  return total(points);
+}

@@ -1,0 +1,181 @@
+import { describe, expect, test } from "vitest";
+import type { Decision, FrameRecord, PlayerOptions } from "../../../src/engine/index.ts";
+import type { Store } from "../../../src/app/document/store.ts";
+import { lastByMachine, reasonOf } from "../../../src/app/game/machine/reason.ts";
+import { reasonInWords } from "../../../src/app/game/machine/explain.ts";
+import { LEVELS, machineNoise } from "../../../src/app/game/machine/levels.ts";
+import { type Decider, Turns } from "../../../src/app/game/machine/turns.ts";
+import { canConcede, playDecision, playShot } from "../../../src/app/game/play.ts";
+import { canAim, standing } from "../../../src/app/game/turn.ts";
+import { progressOf } from "../../../src/app/game/progress.ts";
+import { begun, context, engine } from "./games.ts";
+
+/** A thinker on the calling thread. */
+class Here implements Decider {
+  readonly decisions: Decision[] = [];
+  stopped = 0;
+  choose(record: FrameRecord, options: PlayerOptions): Promise<Decision> {
+    const [player, frame] = [engine.player(options), engine.replay(record)];
+    const decision = player.choose(frame);
+    player.free();
+    frame.free();
+    this.decisions.push(decision);
+    return Promise.resolve(decision);
+  }
+  explain = (record: FrameRecord, options: PlayerOptions & { count?: number }) => {
+    const { count, ...player } = options;
+    const frame = engine.replay(record);
+    return Promise.resolve(engine.player(player).explain(frame, { count: count! }));
+  };
+  stop(): void {
+    this.stopped += 1;
+  }
+}
+
+interface Machine {
+  readonly thinker: Here;
+  readonly turns: Turns;
+}
+
+/** @param most Moves after which the machine answers no more. */
+function machineIn(store: Store, most = Infinity): Machine {
+  const thinker = new Here();
+  const turns = new Turns(store, engine, () => Promise.resolve(thinker), {
+    play: (decision) => {
+      if (store.document.game!.moves.length >= most) return;
+      playDecision(store, context, decision, () => undefined);
+    },
+    changed: () => undefined,
+  });
+  turns.consider();
+  return { thinker, turns };
+}
+
+const rest = () => new Promise((resolve) => setTimeout(resolve, 0));
+const made = (store: Store) => store.document.game!.moves.length;
+
+async function until(condition: () => boolean): Promise<void> {
+  for (let k = 0; k < 500 && !condition(); k += 1) await rest();
+  expect(condition()).toBe(true);
+}
+
+const TWO = { machines: ["level-1", "level-1"] } as const;
+const SECOND = { machines: [null, "level-2"] } as const;
+
+describe("a machine", () => {
+  test.each(engine.ruleSets)("plays %s, and its moves replay to the same state", async (rules) => {
+    const store = begun(rules, TWO);
+    machineIn(store, 8);
+    const over = () => standing(store, engine)!.frame.state.request.kind === "over";
+    await until(() => made(store) === 8 || over());
+    expect(store.session.refusal).toBeNull();
+    const game = structuredClone(store.document.game!);
+    const again = progressOf(engine, game);
+    expect(again.frame.state).toEqual(standing(store, engine)!.frame.state);
+  });
+
+  test("has five levels, each with smaller errors than the one below", () => {
+    const errors = LEVELS.map((level) => machineNoise(engine, level).azimuth);
+    expect(errors).toHaveLength(5);
+    expect([...errors].sort((a, b) => b - a)).toEqual(errors);
+    for (const level of LEVELS) expect(engine.players).toContain(level);
+  });
+
+  test("executes its shot with the errors of its level, the same ones each time", async () => {
+    const play = async () => {
+      const store = begun("nine-ball", { machines: ["level-1", null] });
+      const { thinker } = machineIn(store);
+      await until(() => made(store) > 0);
+      const [move] = store.document.game!.moves;
+      const strike = move && "play" in move ? move.play.strike : null;
+      return { strike, meant: thinker.decisions[0]!.play!.strike };
+    };
+    const { strike, meant } = await play();
+    expect(strike!.azimuth).not.toBe(meant.azimuth);
+    expect(Math.abs(strike!.azimuth - meant.azimuth)).toBeLessThan(0.03);
+    expect((await play()).strike).toEqual(strike);
+  });
+
+  test("lets no person aim, shoot or concede for it", () => {
+    const store = begun("nine-ball", { machines: ["level-3", null] });
+    expect(canAim(store, engine)).toBe(false);
+    expect(canConcede(store, engine)).toBe(false);
+    playShot(store, context, () => undefined);
+    expect(made(store)).toBe(0);
+    expect(store.session.refusal?.message).toMatch(/No shot can be played now/);
+  });
+
+  test("waits for the end of a replay", async () => {
+    const store = begun("nine-ball", SECOND);
+    machineIn(store);
+    store.strike({ speed: 0.3, azimuth_deg: 180 }, "aim");
+    playShot(store, context, (trace) => store.setSession({ mode: "replay", trace }));
+    for (let k = 0; k < 20; k += 1) await rest();
+    expect(made(store)).toBe(1);
+    store.setSession({ mode: "aim", trace: null });
+    await until(() => made(store) > 1);
+  });
+
+  test("does not repeat what was taken back until the user lets it play", async () => {
+    const store = begun("nine-ball", SECOND);
+    const { turns } = machineIn(store);
+    store.strike({ speed: 0.3, azimuth_deg: 180 }, "aim");
+    playShot(store, context, () => undefined);
+    await until(() => made(store) > 1 && turns.waiting === null);
+    while (made(store) > 1) store.undo();
+    expect(turns.waiting).toBe("held");
+    for (let k = 0; k < 20; k += 1) await rest();
+    expect(made(store)).toBe(1);
+    turns.resume();
+    await until(() => made(store) > 1);
+  });
+
+  test("is asked to end its search by Stop, and when its move is taken back", async () => {
+    const store = begun("nine-ball", SECOND);
+    let stopped = 0;
+    const decider: Decider = {
+      choose: () => new Promise<Decision>(() => undefined),
+      stop: () => {
+        stopped += 1;
+      },
+    };
+    const turns = new Turns(store, engine, () => Promise.resolve(decider), {
+      play: () => undefined,
+      changed: () => undefined,
+    });
+    store.strike({ speed: 0.3, azimuth_deg: 180 }, "aim");
+    playShot(store, context, () => undefined);
+    await rest();
+    expect(turns.waiting).toBe("thinking");
+    turns.stop();
+    await rest();
+    expect(stopped).toBe(1);
+    store.undo();
+    await rest();
+    expect(stopped).toBe(2);
+    expect(turns.waiting).toBeNull();
+  });
+
+  test("explains each of its shots by the play that it executed", async () => {
+    const store = begun("eight-ball", { machines: ["level-2", "level-3"] });
+    const { thinker } = machineIn(store, 10);
+    await until(() => made(store) === 10);
+    const game = store.document.game!;
+    const progress = progressOf(engine, game);
+    let explained = 0;
+    for (const [index, { move }] of progress.steps.entries()) {
+      if (!("play" in move)) continue;
+      const reason = (await reasonOf(engine, game, progress, index, thinker))!;
+      const words = reasonInWords(reason);
+      expect(words).toMatch(/win the frame: \d+ %/);
+      if (!reason.meant) continue;
+      expect(reason.meant.play.call).toEqual(move.play.call);
+      expect(words).toMatch(/^Meant: /);
+      explained += 1;
+    }
+    expect(explained).toBeGreaterThan(5);
+    expect(lastByMachine(game, progress)).toBe(
+      progress.steps.findLastIndex(({ move }) => "play" in move),
+    );
+  });
+});
