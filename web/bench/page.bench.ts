@@ -1,8 +1,8 @@
 /**
  * The page's budgets: its size, the time until it is usable, the simulation of the ghost and of a thousand
- * variants, the time from the pointer to the picture, and the frame rate in the replay of a break, at
- * 800 × 450 pixels, by default with software rendering. Prints the results and writes them to
- * benches/results/page.json.
+ * variants, the time from the pointer to the picture, the frame rate in the replay of a break, the puzzle of
+ * the day and the longest call on the main thread while a worker makes it. On a desktop and on a phone, by
+ * default with software rendering. Prints the results and writes them to benches/results/page.json.
  */
 import { readFileSync, writeFileSync } from "node:fs";
 import { cpus, loadavg } from "node:os";
@@ -11,7 +11,7 @@ import { gzipSync } from "node:zlib";
 import { expect, inject } from "vitest";
 import type { Page } from "playwright-core";
 import type { AimedShot } from "../src/app/document/document.ts";
-import { SMALL, test } from "../tests/e2e/fixture.ts";
+import { PHONE, test } from "../tests/e2e/fixture.ts";
 import { commitAndDate } from "./commit.ts";
 import { layouts } from "./layouts.ts";
 
@@ -19,12 +19,27 @@ const RESULT = fileURLToPath(new URL("../../benches/results/page.json", import.m
 
 /** Budgets: compressed size in bytes, and times in milliseconds. */
 const WEIGHT = 1.5e6;
-const FIRST_FRAME = 1500;
+const FIRST_FRAME = 1000;
 const GHOST = 2;
-const POINTER_TO_PICTURE = 50;
 const VARIANTS = 300;
-/** Pictures per second during the replay of a break, with software rendering. */
-const REPLAY = 20;
+
+interface Window {
+  readonly name: string;
+  readonly viewport: { readonly width: number; readonly height: number };
+  /** Longest median time from a pointer move to its picture, ms. */
+  readonly pointer: number;
+  /** Least pictures per second during the replay of a break. */
+  readonly replay: number;
+}
+
+const WINDOWS: readonly Window[] = [
+  { name: "desktop", viewport: { width: 1280, height: 800 }, pointer: 40, replay: 30 },
+  { name: "phone", viewport: PHONE, pointer: 40, replay: 40 },
+];
+
+/** Milliseconds until the puzzle of the day is ready, and the longest call on the main thread meanwhile. */
+const PUZZLE = 1000;
+const MAIN_THREAD = 16;
 
 /** Number of starts of the page, and of pointer moves, for the medians. */
 const STARTS = 5;
@@ -120,30 +135,72 @@ async function replay(page: Page): Promise<{ fps: number; renderer: string }> {
   }, MEASURED);
 }
 
-test("the page keeps its budgets", { timeout: 180_000 }, async ({ open }) => {
-  const html = readFileSync(inject("file"));
-  const starts: number[] = [];
-  for (let k = 0; k < STARTS; k += 1) {
-    const page = await open({ viewport: SMALL, quality: "auto" });
-    starts.push(
-      await page.evaluate(() => performance.getEntriesByName("carom:interactive")[0]!.startTime),
-    );
-    await page.context().close();
-  }
-  const page = await open({ viewport: SMALL, quality: "auto" });
-  const shown = await pointerToPicture(page);
-  const { ghosts, variants } = await midGame(page);
-  const { fps, renderer } = await replay(page);
+/** Milliseconds until the puzzle of the day is ready, and the longest pause of the main thread until then. */
+function puzzle(page: Page): Promise<{ made: number; longest: number }> {
+  return page.evaluate(async () => {
+    const { store, viewer } = window.carom!;
+    // Drawing in software takes longer than any call; it is measured apart.
+    Object.assign(viewer, { render: () => undefined });
+    const channel = new MessageChannel();
+    const start = performance.now();
+    let last = start;
+    let longest = 0;
+    const ended = new Promise<void>((resolve) => {
+      channel.port1.onmessage = () => {
+        const now = performance.now();
+        longest = Math.max(longest, now - last);
+        last = now;
+        if (document.querySelector("#play-puzzle")) resolve();
+        else channel.port2.postMessage(null);
+      };
+    });
+    store.setSession({ activity: "train" });
+    last = performance.now();
+    channel.port2.postMessage(null);
+    await ended;
+    return { made: performance.now() - start, longest };
+  });
+}
 
+test("the page keeps its budgets", { timeout: 600_000 }, async ({ open }) => {
+  const html = readFileSync(inject("file"));
+  const windows: Record<string, Record<string, number>> = {};
+  let renderer = "";
+  let simulated = { ghosts: [0], variants: [0] };
+  for (const { name, viewport } of WINDOWS) {
+    const starts: number[] = [];
+    for (let k = 0; k < STARTS; k += 1) {
+      const page = await open({ viewport, quality: "auto" });
+      starts.push(
+        await page.evaluate(() => performance.getEntriesByName("carom:interactive")[0]!.startTime),
+      );
+      await page.context().close();
+    }
+    const page = await open({ viewport, quality: "auto" });
+    const shown = await pointerToPicture(page);
+    if (name === "desktop") simulated = await midGame(page);
+    const replayed = await replay(page);
+    renderer = replayed.renderer;
+    await page.context().close();
+    const trainee = await open({ viewport, quality: "auto" });
+    const { made, longest } = await puzzle(trainee);
+    await trainee.context().close();
+    windows[name] = {
+      ...viewport,
+      first_interactive_frame_ms: round(median(starts)),
+      pointer_to_picture_ms: round(median(shown)),
+      break_replay_frames_per_second: round(replayed.fps),
+      puzzle_ms: round(made),
+      puzzle_main_thread_ms: round(longest),
+    };
+  }
   const result = {
     ...commitAndDate(),
     bytes: html.length,
     bytes_compressed: gzipSync(html, { level: 9 }).length,
-    first_interactive_frame_ms: round(median(starts)),
-    ghost_ms: round(median(ghosts)),
-    pointer_to_picture_ms: round(median(shown)),
-    variants_1000_ms: round(median(variants)),
-    break_replay_frames_per_second: round(fps),
+    ghost_ms: round(median(simulated.ghosts)),
+    variants_1000_ms: round(median(simulated.variants)),
+    ...windows,
     renderer,
     machine: `${cpus()[0]!.model}, ${cpus().length} cores`,
     // Load of the machine: times mean little if it exceeds the number of cores.
@@ -151,10 +208,15 @@ test("the page keeps its budgets", { timeout: 180_000 }, async ({ open }) => {
   };
   console.log(result);
   writeFileSync(RESULT, `${JSON.stringify(result, null, 2)}\n`);
-  expect(result.bytes_compressed).toBeLessThan(WEIGHT);
-  expect(result.first_interactive_frame_ms).toBeLessThan(FIRST_FRAME);
-  expect(result.ghost_ms).toBeLessThan(GHOST);
-  expect(result.pointer_to_picture_ms).toBeLessThan(POINTER_TO_PICTURE);
-  expect(result.variants_1000_ms).toBeLessThan(VARIANTS);
-  expect(result.break_replay_frames_per_second).toBeGreaterThan(REPLAY);
+  expect.soft(result.bytes_compressed).toBeLessThan(WEIGHT);
+  expect.soft(result.ghost_ms).toBeLessThan(GHOST);
+  expect.soft(result.variants_1000_ms).toBeLessThan(VARIANTS);
+  for (const { name, pointer, replay: frames } of WINDOWS) {
+    const found = windows[name]!;
+    expect.soft(found.first_interactive_frame_ms, name).toBeLessThan(FIRST_FRAME);
+    expect.soft(found.pointer_to_picture_ms, name).toBeLessThan(pointer);
+    expect.soft(found.break_replay_frames_per_second, name).toBeGreaterThan(frames);
+    expect.soft(found.puzzle_ms, name).toBeLessThan(PUZZLE);
+    expect.soft(found.puzzle_main_thread_ms, name).toBeLessThan(MAIN_THREAD);
+  }
 });
