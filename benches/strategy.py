@@ -194,9 +194,22 @@ def published(found: Experiments) -> list[list[str]]:
     """The matches of the literature's players beside the published results."""
     rows = [["Match", "frames", "points of the first, %", "published, %"]]
     for name, (title, theirs) in PUBLISHED.items():
-        if match := found.get(f"literature-{name}"):
+        if match := found.get(f"literature-{name}") or pooled(f"literature-{name}-", found):
             rows.append([title, str(2 * match["pairs"]), points(match), theirs])
     return rows
+
+
+def pooled(prefix: str, found: Experiments) -> JSON | None:
+    """The sum of the matches whose names begin so, with the normal interval of pairs at 95 %."""
+    matches = [match for name, match in found.items() if name.startswith(prefix)]
+    if not matches:
+        return None
+    counts = [sum(column) for column in zip(*(m["pair_counts"] for m in matches), strict=True)]
+    pairs = sum(counts)
+    mean = sum(k / 4 * count for k, count in enumerate(counts)) / pairs
+    variance = sum((k / 4 - mean) ** 2 * count for k, count in enumerate(counts)) / pairs
+    half = 1.96 * (variance / pairs) ** 0.5
+    return {"pairs": pairs, "share": mean, "share_interval": [mean - half, mean + half]}
 
 
 #: Shares of points of greedy and of Deep Green at depths 1 and 2 in percent, by the noise at which

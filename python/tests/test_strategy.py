@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib
 import json
 import sys
 from pathlib import Path
@@ -10,7 +11,8 @@ from typing import Any
 import carom
 import pytest
 
-FOLDER = Path(__file__).parents[2] / "scripts" / "strategy"
+ROOT = Path(__file__).parents[2]
+FOLDER = ROOT / "scripts" / "strategy"
 
 
 @pytest.fixture(scope="module")
@@ -81,3 +83,19 @@ def test_every_experiment_names_players_that_exist(modules: Any) -> None:
         for player in ("player", "one", "other"):
             if text := getattr(experiment, player, None):
                 assert carom.Player(text).name == text.partition("[")[0].partition(":")[0], name
+
+
+def test_the_tenths_of_a_match_are_added(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.syspath_prepend(str(ROOT / "benches"))
+    tables = importlib.import_module("strategy")
+    found = {
+        "literature-level-two-off-01": {"pair_counts": [1, 0, 2, 0, 1]},
+        "literature-level-two-off-02": {"pair_counts": [0, 0, 2, 0, 2]},
+        "literature-samples-10": {"pair_counts": [9, 0, 0, 0, 0]},
+    }
+    match = tables.pooled("literature-level-two-off-", found)
+    assert (match["pairs"], match["share"]) == (8, 0.625)
+    # The variance of a pair is 7/64 about its mean.
+    half = 1.96 * (7 / 64 / 8) ** 0.5
+    assert match["share_interval"] == pytest.approx([0.625 - half, 0.625 + half])
+    assert tables.pooled("literature-level-two-given-", found) is None

@@ -4,16 +4,18 @@
     python scripts/strategy NAME ...           # make these; a part of a name is enough
     python scripts/strategy --threads 2 NAME ...
 
-What is played is stored as it comes, under ``out/strategy/SOURCES``, and a run that was stopped
-continues there. SOURCES is git's hash of the folder ``crates``, so that players of different
-versions are never mixed. A complete experiment is summarised in ``benches/results/strategy.json``,
-from which ``benches/tables.py`` makes the tables of the page. Racks, errors and decisions depend on
-the name of the experiment alone, so every result without a clock can be made again to the bit.
+What is played is stored as it comes, under ``out/strategy/VERSION``, and a run that was stopped
+continues there. VERSION is a hash of the example shots and of the crates that decide, so that
+players of different versions are never mixed. A complete experiment is summarised in
+``benches/results/strategy.json``, from which ``benches/tables.py`` makes the tables of the page.
+Racks, errors and decisions depend on the name of the experiment alone, so every result without a
+clock can be made again to the bit.
 """
 
 from __future__ import annotations
 
 import argparse
+import hashlib
 import json
 import os
 import subprocess
@@ -27,6 +29,8 @@ from catalogue import EXPERIMENTS
 ROOT = Path(__file__).resolve().parents[2]
 PLAYED = ROOT / "out" / "strategy"
 STORED = ROOT / "benches" / "results" / "strategy.json"
+#: The crates on which a decision and its outcome depend, besides the physics.
+DECIDING = ("carom-rules", "carom-plan", "carom-mind", "carom-arena")
 
 
 def main() -> int:
@@ -51,15 +55,16 @@ def main() -> int:
             print(f"{made:10}  {name:36}  {experiment.describe()}")
         return 0
     for name, experiment in chosen.items():
-        store(name, experiment.play(name, PLAYED / sources() / name, arguments.threads))
+        store(name, experiment.play(name, PLAYED / version() / name, arguments.threads))
     return 0
 
 
-def sources() -> str:
-    """Git's hash of the sources that are committed."""
-    command = ["git", "rev-parse", "--short=10", "HEAD:crates"]
+def version() -> str:
+    """A hash of the example shots, and of the sources that are committed of the deciding crates."""
+    command = ["git", "rev-parse", *(f"HEAD:crates/{crate}" for crate in DECIDING)]
     found = subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True)
-    return found.stdout.strip()
+    shots = json.dumps(goldens.hashes(), sort_keys=True)
+    return hashlib.sha256((shots + found.stdout).encode()).hexdigest()[:10]
 
 
 def stored() -> dict[str, Any]:
