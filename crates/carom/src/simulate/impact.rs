@@ -191,11 +191,11 @@ impl PairImpact<'_> {
         let flies = before.map(|state| state.motion == MotionState::Airborne);
         match on_bed {
             [false, true] if flies[0] && gentle() => {
-                let normal = unbalanced(*normal, &p);
+                let normal = unbalanced(*normal, &p, &q);
                 held::resolve(law.restitution, normal, &mut p, &mut q);
             }
             [true, false] if flies[1] && gentle() => {
-                let normal = unbalanced(-*normal, &q);
+                let normal = unbalanced(-*normal, &q, &p);
                 held::resolve(law.restitution, normal, &mut q, &mut p);
             }
             _ => resolve::ball_ball::resolve(law, cloth, *normal, &mut p, &mut q),
@@ -237,11 +237,12 @@ fn leaning(normal: Vec3) -> Vec3 {
     (normal.xy() * cos).with_z(sin)
 }
 
-/// The line of centres from `flyer` to the ball below it. If it is nearly vertical and the flyer
-/// does not move sideways, it is inclined by [`BALANCE`].
-fn unbalanced(normal: Vec3, flyer: &Body) -> Vec3 {
+/// The line of centres from `flyer` to the ball below it. If it is nearly vertical and the two balls
+/// do not move sideways past each other, it is inclined by [`BALANCE`].
+fn unbalanced(normal: Vec3, flyer: &Body, below: &Body) -> Vec3 {
+    let past = (flyer.velocity - below.velocity).xy();
     if normal.xy().length_squared() >= BALANCE * BALANCE
-        || flyer.velocity.xy().length_squared() >= MIN_SEPARATION * MIN_SEPARATION
+        || past.length_squared() >= MIN_SEPARATION * MIN_SEPARATION
     {
         return normal;
     }
