@@ -77,6 +77,18 @@ def test_a_visit_from_ball_in_hand_begins_on_an_open_table(modules: Any, balls: 
     assert all(near <= a <= x - near and near <= b <= y - near for a, b in places[1:])
 
 
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_visit_of_straight_pool_begins_with_a_break_shot(modules: Any, seed: int) -> None:
+    frame = modules["visits"].with_break_shot(seed, 150)
+    assert (frame.player, len(frame.balls), frame.request["in_hand"]) == (0, 16, None)
+    low = sorted(y for ball, (_, y) in frame.balls.items() if ball != "cue")
+    # Only the break ball may be below the second row of the rack.
+    assert low[1] > 1.954
+    decision = carom.Player("carom:2000", noise=carom.Noise.preset("olympiad:0.5")).choose(frame)
+    decision.apply(frame)
+    assert frame.scores[0] == 1
+
+
 def test_every_experiment_names_players_that_exist(modules: Any) -> None:
     for name, experiment in modules["catalogue"].EXPERIMENTS.items():
         assert experiment.describe()

@@ -34,8 +34,9 @@ class Visits:
     #: Multiple of the Olympiad's noise.
     noise: float = 1.0
     table: str | None = None
-    #: Where a visit begins: the break, or (eight-ball) the cue ball in hand with this number of own
-    #: balls, the eight and as many balls of the other player at random places.
+    #: Where a visit begins: in straight pool with a break shot, otherwise with the break, or
+    #: (eight-ball) with the cue ball in hand, this number of own balls, the eight and as many balls
+    #: of the other player at random places.
     balls: int | None = None
     #: Points that end a frame of straight pool.
     points: int = 40
@@ -43,6 +44,8 @@ class Visits:
     def describe(self) -> str:
         """The visits in words."""
         start = "the break" if self.balls is None else f"ball in hand, {self.balls} own balls"
+        if self.game == "straight-pool":
+            start = "a break shot"
         return f"{self.player}, {self.count} × {self.game} from {start}, noise × {self.noise}"
 
     def play(self, name: str, folder: Path, threads: int) -> dict[str, Any]:
@@ -108,7 +111,25 @@ class Visits:
     def _frame(self, seed: int) -> carom.Frame:
         if self.balls is not None:
             return with_ball_in_hand(self.balls, seed)
-        return carom.Frame(self.game, table=self.table, seed=seed, points=self.points)
+        if self.game == "straight-pool":
+            return with_break_shot(seed, self.points)
+        return carom.Frame(self.game, table=self.table, seed=seed)
+
+
+def with_break_shot(seed: int, points: int) -> carom.Frame:
+    """A frame of straight pool in which player 0 has a break shot, as after fourteen balls.
+
+    The rack has no ball at its apex. The fifteenth ball, to the right of the rack, can be cut into
+    the top right pocket from below, and the cue ball then goes into the rack. Both are up to 3 cm
+    from the places that are written here.
+    """
+    rng = np.random.default_rng(seed)
+    racked = carom.Frame("straight-pool", table=TABLE, seed=seed).balls
+    _, (apex, _) = sorted(racked.items(), key=lambda ball: ball[1][1])[:2]
+    for ball, place in (("cue", (0.74, 1.5)), (apex, (0.78, 1.93))):
+        x, y = place + rng.uniform(-0.03, 0.03, 2)
+        racked[ball] = (float(x), float(y))
+    return carom.Frame.of_shot("straight-pool", carom.Shot(TABLE, racked), points=points)
 
 
 def with_ball_in_hand(own: int, seed: int) -> carom.Frame:
