@@ -19,11 +19,13 @@ def is_installed() -> bool:
     return shutil.which("valgrind") is not None
 
 
-def build(package: str, example: str) -> Path:
+def build(package: str, example: str, checkout: Path = ROOT) -> Path:
     """Builds an example with the profile `bench` and returns the path of the program."""
     command = ["cargo", "build", "--quiet", "--profile", "bench", "-p", package]
     command += ["--example", example, "--message-format", "json"]
-    built = subprocess.run(command, check=True, cwd=ROOT, stdout=subprocess.PIPE, text=True).stdout
+    built = subprocess.run(
+        command, check=True, cwd=checkout, stdout=subprocess.PIPE, text=True
+    ).stdout
     messages = map(json.loads, built.splitlines())
     return next(
         Path(message["executable"])
