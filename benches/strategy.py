@@ -81,6 +81,24 @@ def high_runs(found: Experiments) -> list[list[str]]:
     return rows
 
 
+def stated(found: Experiments) -> list[list[str]]:
+    """Stated chances to keep the turn, and how often it was kept with other errors."""
+    tenths = [f"{10 * k} to {10 * k + 10}" for k in range(10)]
+    rows = [["Noise", "chance", "stated, %", "counted, %", *tenths]]
+    for noise in ("0.5", "1", "2"):
+        if decisions := found.get(f"stated-x{noise}"):
+            for key, title in (("kept", "turn kept"), ("foul", "foul")):
+                result = decisions[key]
+                cells = [""] * 10
+                for tenth in result["tenths"]:
+                    off = 100 * (tenth["counted"] - tenth["stated"])
+                    place = min(int(10 * tenth["stated"]), 9)
+                    cells[place] = f"{off:+.1f} ({tenth['decisions']})"
+                means = [f"{100 * result[mean]:.1f}" for mean in ("stated", "counted")]
+                rows.append([f"× {noise}", title, *means, *cells])
+    return rows
+
+
 def breaker(found: Experiments) -> list[list[str]]:
     """How often the player who breaks wins, among equals."""
     rows = [["Game", "noise", "frames", "the breaker wins, %", "break and run, %"]]
@@ -292,6 +310,7 @@ TABLES = {
     "run-outs": run_outs,
     "high-runs": high_runs,
     "breaker": breaker,
+    "stated": stated,
     "matrix": matrix,
     "strength": strength,
     "parts": parts,

@@ -18,7 +18,7 @@ FOLDER = ROOT / "scripts" / "strategy"
 @pytest.fixture(scope="module")
 def modules() -> Any:
     """The modules of the folder, which import each other by name."""
-    names = ("catalogue", "matches", "visits", "endings")
+    names = ("catalogue", "matches", "visits", "endings", "stated")
     sys.path.insert(0, str(FOLDER))
     try:
         yield {name: __import__(name) for name in names}
@@ -63,6 +63,19 @@ def test_visits_go_on_where_they_were_stopped(modules: Any, tmp_path: Path) -> N
     (tmp_path / "stopped").mkdir()
     (tmp_path / "stopped" / "visits.jsonl").write_text(stored[1] + "\n", encoding="utf-8")
     assert visits.play("a test", tmp_path / "stopped", 1) == whole
+
+
+def test_stated_chances_are_compared_with_other_errors(modules: Any, tmp_path: Path) -> None:
+    experiment = modules["stated"].Stated("carom:60", decisions=6, noise=2.0)
+    whole = experiment.play("a test", tmp_path / "whole", 1)
+    assert sum(tenth["decisions"] for tenth in whole["kept"]["tenths"]) == 6
+    rows = (tmp_path / "whole" / "decisions.jsonl").read_text("utf-8").splitlines()
+    shares = [json.loads(row)["kept"] for row in rows[:6]]
+    assert any(stated != counted for stated, counted in shares)
+    assert whole["kept"]["counted"] == pytest.approx(sum(c for _, c in shares) / 6, abs=1e-4)
+    (tmp_path / "stopped").mkdir()
+    (tmp_path / "stopped" / "decisions.jsonl").write_text(rows[0] + "\n", encoding="utf-8")
+    assert experiment.play("a test", tmp_path / "stopped", 1) == whole
 
 
 @pytest.mark.parametrize("balls", [1, 7])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from endings import Ending
 from matches import Match
+from stated import Stated
 from visits import Visits
 
 #: Multiples of the Olympiad's noise.
@@ -23,7 +24,7 @@ MATRIX = (
 )
 MATRIX_SIMULATIONS = 3000
 
-EXPERIMENTS: dict[str, Match | Visits | Ending] = {}
+EXPERIMENTS: dict[str, Match | Visits | Ending | Stated] = {}
 
 # How often does the player who breaks run out?
 for game in ("eight-ball", "nine-ball"):
@@ -42,6 +43,10 @@ for balls in (1, 2, 3, 5, 7):
 # Endings beside a search of nearly all plays.
 for ending in ("lone-nine", "last-ball-and-eight", "three-balls"):
     EXPERIMENTS[f"ending-{ending}"] = Ending(ending, count=40, simulations=20_000)
+
+# Stated chances beside what happens with other errors.
+for noise in NOISES:
+    EXPERIMENTS[f"stated-x{noise:g}"] = Stated("carom:5000", decisions=2000, noise=noise)
 
 # High runs of straight pool.
 for noise in NOISES:
