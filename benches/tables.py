@@ -421,6 +421,22 @@ def photo(result: JSON) -> str:
     return markdown(["Taps on the table", "place of a ball", "all", *stands.values()], lines)
 
 
+def cost(result: JSON) -> str:
+    """Instructions and events per shot, before and after the network took the strike."""
+    names = CLASSES | {"random_pot": "random pots, 2 balls"}
+    lines = []
+    for key, counted in result["classes"].items():
+        before = counted["before"]
+        cells = [names[key], f"{before['instructions']:,}", f"{before['events']:.1f}"]
+        for which in ("after", "after_default"):
+            now = counted[which]
+            change = 100 * (now["instructions"] / before["instructions"] - 1)
+            cells += [f"{now['instructions']:,} ({change:+.1f} %)", f"{now['events']:.1f}"]
+        lines.append(cells)
+    now = ["the same physics", "events", "the default physics", "events"]
+    return markdown(["Shots", "before", "events", *now], lines)
+
+
 TABLES: dict[str, Callable[[JSON], str]] = (
     {
         "summary": summary,
@@ -437,6 +453,7 @@ TABLES: dict[str, Callable[[JSON], str]] = (
         "pockets": pockets,
         "photo": photo,
         "made": made,
+        "cost": cost,
         "realism-summary": realism_summary,
     }
     | {
