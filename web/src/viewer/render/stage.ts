@@ -1,6 +1,7 @@
 /**
  * Draws the scene at a level of quality. With software rendering the table is drawn once while the camera
- * rests; every picture is then a copy of it with the moving parts on top.
+ * rests. Then a picture restores it only in the tiles that the moving parts cover or have left, and draws
+ * these parts on top.
  */
 
 import {
@@ -13,8 +14,11 @@ import {
   Vector2,
   WebGLRenderer,
 } from "three";
+import { Extent } from "./extent";
+import { Kept } from "./kept";
 import { DEPTH, MOVING, STILL } from "./layers";
 import { Copier, Picture } from "./picture";
+import { Tiles } from "./tiles";
 
 /** Magnification and diameter (CSS pixels) of the loupe, and its border as a share of the radius. */
 export const ZOOM = 2.5;
@@ -51,8 +55,11 @@ export class Stage {
   readonly renderer: WebGLRenderer;
   readonly #scene: Scene;
   readonly #copier = new Copier();
-  /** The table without moving parts, a whole picture with smooth edges, and the loupe's. */
-  readonly #table = new Picture(true);
+  /** The table without moving parts, and the tiles of the screen that show something else. */
+  readonly #table = new Kept();
+  readonly #tiles = new Tiles();
+  readonly #extent = new Extent(this.#tiles);
+  /** A whole picture with smooth edges, and the loupe's. */
   readonly #smooth = new Picture(true);
   readonly #loupe = new Picture(true, LinearFilter);
   /** The camera of the last picture, and whether `#table` shows what it sees. */
@@ -65,7 +72,12 @@ export class Stage {
     this.software = software;
     this.#scene = scene;
     // Antialiasing is fixed for the life of a context; it is too slow for software rendering.
-    this.renderer = new WebGLRenderer({ canvas, antialias: !software });
+    // With software rendering the canvas keeps what a picture does not change.
+    this.renderer = new WebGLRenderer({
+      canvas,
+      antialias: !software,
+      preserveDrawingBuffer: software,
+    });
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.autoClear = false;
   }
@@ -130,6 +142,7 @@ export class Stage {
   #finely(camera: Camera): void {
     this.#into(this.#smooth, () => this.#whole(camera));
     this.#copier.copy(this.renderer, this.#smooth);
+    this.#tiles.markAll();
   }
 
   #quickly(camera: Camera): void {
@@ -142,19 +155,28 @@ export class Stage {
       this.#whole(camera);
       return;
     }
-    if (!this.#fresh) {
-      camera.layers.set(STILL);
-      this.#into(this.#table, () => {
+    const { x: width, y: height } = this.renderer.getDrawingBufferSize(this.#size);
+    this.#tiles.resize(width, height);
+    if (!this.#fresh) this.#keepTable(camera);
+    camera.layers.set(MOVING);
+    this.#extent.mark(this.#scene, camera, [width, height]);
+    this.#table.restore(this.renderer, this.#tiles, this.#tiles.take());
+    this.renderer.render(this.#scene, camera);
+  }
+
+  #keepTable(camera: Camera): void {
+    for (const [layer, picture] of [
+      [STILL, this.#table.colors],
+      [DEPTH, this.#table.depths],
+    ] as const) {
+      camera.layers.set(layer);
+      this.#into(picture, () => {
         this.renderer.clear();
         this.renderer.render(this.#scene, camera);
       });
-      this.#fresh = true;
     }
-    this.renderer.clearDepth();
-    this.#copier.copy(this.renderer, this.#table);
-    camera.layers.set(DEPTH);
-    camera.layers.enable(MOVING);
-    this.renderer.render(this.#scene, camera);
+    this.#tiles.markAll();
+    this.#fresh = true;
   }
 
   #into(picture: Picture, draw: () => void): void {
@@ -180,5 +202,15 @@ export class Stage {
     renderer.setViewport(at[0] - LOUPE / 2, height - at[1] - LOUPE / 2, LOUPE, LOUPE);
     this.#copier.disc(renderer, this.#loupe, BORDER);
     renderer.setViewport(0, 0, width, height);
+    this.#markDisc(at, height);
+  }
+  /** Marks the disc of the loupe around `at` (CSS pixels), which the next picture removes. */
+  #markDisc([x, y]: Loupe["at"], height: number): void {
+    const ratio = this.renderer.getPixelRatio();
+    const [left, bottom] = [x - LOUPE / 2, height - y - LOUPE / 2].map((at) => at * ratio) as [
+      number,
+      number,
+    ];
+    this.#tiles.mark(left, bottom, left + LOUPE * ratio, bottom + LOUPE * ratio);
   }
 }
