@@ -8,6 +8,7 @@ import {
   type Camera,
   LinearFilter,
   Matrix4,
+  type Object3D,
   PCFShadowMap,
   type PerspectiveCamera,
   type Scene,
@@ -50,6 +51,20 @@ export function loupePlace(
   return [inside(x + (x < width / 2 ? away : -away), width), inside(y, height)];
 }
 
+/**
+ * A context for pictures without transparency, which the browser puts on the page faster; three.js would
+ * ask for transparency. Antialiasing is fixed for the life of a context, and too slow for software
+ * rendering, with which the canvas keeps what a picture does not change.
+ *
+ * @throws Error if the browser does not support WebGL 2.
+ */
+function opaque(canvas: HTMLCanvasElement, software: boolean): WebGL2RenderingContext {
+  const options = { alpha: false, antialias: !software, preserveDrawingBuffer: software };
+  const context = canvas.getContext("webgl2", { ...options, depth: true, stencil: false });
+  if (!context) throw new Error("The browser has no WebGL 2: update it, or allow it 3D graphics.");
+  return context;
+}
+
 export class Stage {
   readonly software: boolean;
   readonly renderer: WebGLRenderer;
@@ -71,13 +86,7 @@ export class Stage {
   constructor(canvas: HTMLCanvasElement, scene: Scene, software: boolean) {
     this.software = software;
     this.#scene = scene;
-    // Antialiasing is fixed for the life of a context; it is too slow for software rendering.
-    // With software rendering the canvas keeps what a picture does not change.
-    this.renderer = new WebGLRenderer({
-      canvas,
-      antialias: !software,
-      preserveDrawingBuffer: software,
-    });
+    this.renderer = new WebGLRenderer({ canvas, context: opaque(canvas, software) });
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.autoClear = false;
   }
@@ -110,6 +119,13 @@ export class Stage {
   /** Height of the canvas, device pixels. */
   get height(): number {
     return this.renderer.getDrawingBufferSize(this.#size).y;
+  }
+
+  /** Starts to compile the shaders of these objects and their children, unless they are hidden. */
+  compile(objects: readonly Object3D[], camera: Camera): void {
+    for (const object of objects) {
+      if (object.visible) this.renderer.compile(object, camera, this.#scene);
+    }
   }
 
   /**
