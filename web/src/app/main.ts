@@ -11,6 +11,7 @@ import { mountNotices } from "./shell/notices.ts";
 import { mountPage, place } from "./page.ts";
 import { applyLanguage } from "./shell/language.ts";
 import { setTurn, turnOf } from "./common/seen.ts";
+import { FIRST_VIEW } from "./document/document.ts";
 import { Scene } from "./scene.ts";
 import { startOf } from "./start.ts";
 import { Store } from "./document/store.ts";
@@ -25,18 +26,20 @@ const REDUCED_MOTION = matchMedia("(prefers-reduced-motion: reduce)");
 
 async function start(): Promise<void> {
   applyLanguage();
-  const engine = await load();
-  const first = startOf(engine);
-  const store = new Store(referee(engine), first.document, first.view);
+  // The engine compiles while the viewer starts.
+  const loading = load();
   let draw = () => false;
   const loop = new FrameLoop(() => draw());
   const viewer = new Viewer(place("table") as HTMLCanvasElement, {
-    theme: shownTheme(store.view.theme),
+    theme: shownTheme(FIRST_VIEW.theme),
     reducedMotion: REDUCED_MOTION.matches,
     onChange: () => {
       loop.invalidate();
     },
   });
+  const engine = await loading;
+  const first = startOf(engine);
+  const store = new Store(referee(engine), first.document, first.view);
   const context: Context = {
     engine,
     viewer,
@@ -45,7 +48,15 @@ async function start(): Promise<void> {
     reducedMotion: () => REDUCED_MOTION.matches,
   };
   const scene = new Scene(store, context);
-  mountPage(store, context, first.welcome);
+  scene.update();
+  viewer.compile();
+  const mountParts = mountPage(store, context, first.welcome);
+  window.carom = { store, engine, viewer, scene };
+  viewer.resize();
+  scene.update();
+  viewer.render();
+  // The parts are mounted while another process draws the first picture.
+  mountParts();
   first.then(store, context);
   draw = () => {
     scene.update();
@@ -53,12 +64,10 @@ async function start(): Promise<void> {
     followTurn(store, viewer);
     return viewer.needsFrame;
   };
-  window.carom = { store, engine, viewer, scene };
-  // The page is usable once the first picture is drawn. Tests wait for this mark; a benchmark reads it.
+  loop.invalidate();
   makeInstallable();
-  loop.input("first picture", () =>
-    requestAnimationFrame(() => performance.mark("carom:interactive")),
-  );
+  // The page is usable once the first picture is drawn. Tests wait for this mark; a benchmark reads it.
+  requestAnimationFrame(() => performance.mark("carom:interactive"));
 }
 
 /** Names pockets and rails as the picture shows them; behind the cue the names stay. */

@@ -40,29 +40,18 @@ export function place(id: string): HTMLElement {
   return element;
 }
 
-/** @param welcome Whether to begin with the first steps. */
-export function mountPage(store: Store, context: Context, welcome: boolean): void {
-  const table = place("table") as HTMLCanvasElement;
+/**
+ * Mounts header, tabs and dock, which leave the table its room.
+ *
+ * @param welcome Whether to begin with the first steps.
+ * @returns Mounts everything else, which takes longer. The first picture is drawn in between.
+ */
+export function mountPage(store: Store, context: Context, welcome: boolean): () => void {
+  let openHelp = (): void => undefined;
   mountTheme(store, context);
-  mountRefusal(place("refusal"), store);
   const openTab = mountTabs(place("tabs"), store);
   mountEntrances(place("entrances"), store);
-  mountAimPanel(place("panel-aim"), store, context);
-  mountLines(place("panel-lines"), store, context);
-  mountTree(place("panel-tree"), store, context, { copy, download });
-  mountLayoutPanel(place("panel-layout"), store, context);
-  mountPhysicsPanel(place("panel-physics"), store, context);
-  mountState(place("panel-state"), store);
   mountTimeline(place("timeline"), store, context);
-  mountSound(store);
-  mountWhatIf(place("panel-whatif"), store, context);
-  mountGame(place("panel-game"), store, context);
-  mountBar(place("game-bar"), store, context);
-  mountTrain(place("panel-train"), store, context);
-  mountShare(place("share"), store, context);
-  mountAddress(store, context);
-  mountFriend(place("game-bar"), store, context);
-  mountReload(store, context.engine);
   mountDock(place("shoot"), store, context, () => {
     openTab("aim");
   });
@@ -72,13 +61,40 @@ export function mountPage(store: Store, context: Context, welcome: boolean): voi
   mountTake(place("leave-replay"), store, context);
   mountHistory(place("history"), store, context);
   mountCamera(place("camera"), store, context);
+  mountPageMenu(place("page-menu"), store, () => {
+    openHelp();
+  });
+  mountTools(place("tools"), place("tools-button"));
+  return () => {
+    openHelp = mountParts(store, context, welcome);
+  };
+}
+
+/** @returns Opens the help. */
+function mountParts(store: Store, context: Context, welcome: boolean): () => void {
+  const table = place("table") as HTMLCanvasElement;
+  mountRefusal(place("refusal"), store);
+  mountAimPanel(place("panel-aim"), store, context);
+  mountLines(place("panel-lines"), store, context);
+  mountTree(place("panel-tree"), store, context, { copy, download });
+  mountLayoutPanel(place("panel-layout"), store, context);
+  mountPhysicsPanel(place("panel-physics"), store, context);
+  mountState(place("panel-state"), store);
+  mountSound(store);
+  mountWhatIf(place("panel-whatif"), store, context);
+  mountGame(place("panel-game"), store, context);
+  mountBar(place("game-bar"), store, context);
+  mountTrain(place("panel-train"), store, context);
+  mountShare(place("share"), store, context);
+  mountAddress(store, context);
+  mountFriend(place("game-bar"), store, context);
+  mountReload(store, context.engine);
   const showSteps = mountOpening(place("first-use"), store, context, welcome);
   const openHelp = mountHelp(place("help") as HTMLDialogElement, store, context, showSteps);
-  mountPageMenu(place("page-menu"), store, openHelp);
-  mountTools(place("tools"), place("tools-button"));
   mountGestures(table, store, context);
   mountKeys(table, { store, context, openHelp });
   store.subscribe((now, before) => {
     if (now.session.mode !== before.session.mode) document.body.dataset.mode = now.session.mode;
   });
+  return openHelp;
 }

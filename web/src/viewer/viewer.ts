@@ -95,6 +95,7 @@ export class Viewer {
   #stillDue = false;
   #wasStill = false;
   #timer: ReturnType<typeof setTimeout> | undefined;
+  #stillRequest = 0;
 
   /**
    * @param canvas - Its size is set by the page's style.
@@ -351,6 +352,12 @@ export class Viewer {
     ];
   }
 
+  /** Starts to compile the shaders of what is shown. They compile in parallel until the next picture. */
+  compile(): void {
+    const parts = [this.#table.group, this.#balls.group, this.#cue.mesh, this.#paths.group];
+    this.#stage.compile([...parts, this.#aim.object, this.#marks.group], this.#rig.camera);
+  }
+
   /**
    * Draws a picture. Call it once per animation frame while {@link needsFrame}. If moving pictures are
    * below full quality, a still at full quality follows when nothing changes for a while.
@@ -398,6 +405,7 @@ export class Viewer {
     this.#watcher.disconnect();
     this.#canvas.removeEventListener("webglcontextrestored", this.#restored);
     cancelAnimationFrame(this.#request);
+    cancelAnimationFrame(this.#stillRequest);
     clearTimeout(this.#timer);
     for (const part of [
       this.#rig,
@@ -494,11 +502,15 @@ export class Viewer {
   /** Requests a still when nothing has changed for a while. */
   #awaitStill(still: boolean): void {
     clearTimeout(this.#timer);
+    cancelAnimationFrame(this.#stillRequest);
     if (still || this.#quality !== "auto" || this.#level === 0) return;
     this.#timer = setTimeout(() => {
-      if (this.#dirty) return;
-      this.#stillDue = true;
-      this.#invalidate();
+      // On a slow machine the next picture of a motion may be due by now: it goes first, and cancels this.
+      this.#stillRequest = requestAnimationFrame(() => {
+        if (this.#dirty) return;
+        this.#stillDue = true;
+        this.#invalidate();
+      });
     }, STILL_DELAY);
   }
 

@@ -80,12 +80,10 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
     if (!playsOn(session, before) || pace.due()) show();
   });
 
-  /** Moves thumb and line to the present time. */
+  /** Moves the line and its thumb to the present time, which paints nothing again. */
   function point(): void {
     const { trace, time } = store.session;
     if (!trace) return;
-    slider.max = String(trace.duration);
-    slider.value = String(time);
     now.style.setProperty("--at", String(trace.duration > 0 ? time / trace.duration : 0));
   }
 
@@ -102,6 +100,8 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
       play.title = label;
       play.replaceChildren(icon(playing ? ICONS.pause : ICONS.play));
     }
+    slider.max = String(trace.duration);
+    slider.value = String(time);
     const times = { time: seconds(time), duration: seconds(trace.duration) };
     const read = words
       ? t("replay.time-of-last", { ...times, events: words })
@@ -161,7 +161,7 @@ function rates(store: Store): HTMLSelectElement {
 interface Scrubber {
   slider: HTMLInputElement;
   marks: SVGSVGElement;
-  /** The line at the present time. */
+  /** The line and the thumb at the present time. */
   now: HTMLElement;
   /** Text beside the mark under the pointer. */
   tip: HTMLElement;

@@ -6,9 +6,10 @@ import {
   Matrix4,
   MeshBasicMaterial,
   PlaneGeometry,
-  type Vector3,
+  Vector3,
 } from "three";
 import { SLANT } from "../lighting";
+import { setCover } from "../render/extent";
 import { LAYER } from "../table/solid";
 
 /** Radius of a shadow, ball radii, and its darkness. */
@@ -82,6 +83,15 @@ export class Shadows {
   #create(count: number): InstancedMesh<PlaneGeometry, MeshBasicMaterial> {
     const mesh = new InstancedMesh(this.#plane, this.#material, count);
     mesh.frustumCulled = false;
+    const center = new Vector3();
+    const matrix = new Matrix4();
+    setCover(mesh, (add) => {
+      for (let ball = 0; ball < count; ball += 1) {
+        mesh.getMatrixAt(ball, matrix);
+        const size = matrix.elements[0];
+        if (size > 0) add(center.setFromMatrixPosition(matrix), center, Math.SQRT2 * size, 0);
+      }
+    });
     return mesh;
   }
 }

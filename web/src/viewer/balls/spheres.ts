@@ -12,6 +12,7 @@ import {
   Vector3,
 } from "three";
 import type { Light } from "../lighting";
+import { setCover } from "../render/extent";
 import { labelTexture } from "./labels";
 import type { Look } from "./look";
 import { FRAGMENT, SHADOW_FRAGMENT, SHADOW_VERTEX, VERTEX } from "./shader";
@@ -47,6 +48,14 @@ export class Spheres {
     this.mesh.frustumCulled = false;
     // After the shadows on the cloth, before lines and marks.
     this.mesh.renderOrder = 0.5;
+    const center = new Vector3();
+    setCover(this.mesh, (add) => {
+      const balls = this.#attribute("ball");
+      for (let ball = 0; ball < balls.count; ball += 1) {
+        const radius = balls.getW(ball);
+        if (radius > 0) add(center.fromBufferAttribute(balls, ball), center, radius, 0);
+      }
+    });
   }
 
   /** Replaces the looks; all balls are hidden until they are placed. */

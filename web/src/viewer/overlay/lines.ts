@@ -5,10 +5,12 @@ import {
   DynamicDrawUsage,
   InstancedInterleavedBuffer,
   InterleavedBufferAttribute,
+  Vector3,
 } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
+import { setCover } from "../render/extent";
 
 /** Initial capacity, segments. */
 const CAPACITY = 512;
@@ -49,6 +51,13 @@ export class Lines {
     this.object.visible = false;
     // Drawn after the heat map.
     this.object.renderOrder = 2;
+    const [from, to] = [new Vector3(), new Vector3()];
+    setCover(this.object, (add) => {
+      const positions = this.#positions.array as Float32Array;
+      for (let at = 0; at < 6 * this.#count; at += 6) {
+        add(from.fromArray(positions, at), to.fromArray(positions, at + 3), 0, width);
+      }
+    });
   }
 
   /** Removes all lines. */

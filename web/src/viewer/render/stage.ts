@@ -1,20 +1,25 @@
 /**
  * Draws the scene at a level of quality. With software rendering the table is drawn once while the camera
- * rests; every picture is then a copy of it with the moving parts on top.
+ * rests. Then a picture restores it only in the tiles that the moving parts cover or have left, and draws
+ * these parts on top.
  */
 
 import {
   type Camera,
   LinearFilter,
   Matrix4,
+  type Object3D,
   PCFShadowMap,
   type PerspectiveCamera,
   type Scene,
   Vector2,
   WebGLRenderer,
 } from "three";
+import { Extent } from "./extent";
+import { Kept } from "./kept";
 import { DEPTH, MOVING, STILL } from "./layers";
 import { Copier, Picture } from "./picture";
+import { Tiles } from "./tiles";
 
 /** Magnification and diameter (CSS pixels) of the loupe, and its border as a share of the radius. */
 export const ZOOM = 2.5;
@@ -46,13 +51,30 @@ export function loupePlace(
   return [inside(x + (x < width / 2 ? away : -away), width), inside(y, height)];
 }
 
+/**
+ * A context for pictures without transparency, which the browser puts on the page faster; three.js would
+ * ask for transparency. Antialiasing is fixed for the life of a context, and too slow for software
+ * rendering, with which the canvas keeps what a picture does not change.
+ *
+ * @throws Error if the browser does not support WebGL 2.
+ */
+function opaque(canvas: HTMLCanvasElement, software: boolean): WebGL2RenderingContext {
+  const options = { alpha: false, antialias: !software, preserveDrawingBuffer: software };
+  const context = canvas.getContext("webgl2", { ...options, depth: true, stencil: false });
+  if (!context) throw new Error("The browser has no WebGL 2: update it, or allow it 3D graphics.");
+  return context;
+}
+
 export class Stage {
   readonly software: boolean;
   readonly renderer: WebGLRenderer;
   readonly #scene: Scene;
   readonly #copier = new Copier();
-  /** The table without moving parts, a whole picture with smooth edges, and the loupe's. */
-  readonly #table = new Picture(true);
+  /** The table without moving parts, and the tiles of the screen that show something else. */
+  readonly #table = new Kept();
+  readonly #tiles = new Tiles();
+  readonly #extent = new Extent(this.#tiles);
+  /** A whole picture with smooth edges, and the loupe's. */
   readonly #smooth = new Picture(true);
   readonly #loupe = new Picture(true, LinearFilter);
   /** The camera of the last picture, and whether `#table` shows what it sees. */
@@ -64,8 +86,7 @@ export class Stage {
   constructor(canvas: HTMLCanvasElement, scene: Scene, software: boolean) {
     this.software = software;
     this.#scene = scene;
-    // Antialiasing is fixed for the life of a context; it is too slow for software rendering.
-    this.renderer = new WebGLRenderer({ canvas, antialias: !software });
+    this.renderer = new WebGLRenderer({ canvas, context: opaque(canvas, software) });
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.autoClear = false;
   }
@@ -100,6 +121,13 @@ export class Stage {
     return this.renderer.getDrawingBufferSize(this.#size).y;
   }
 
+  /** Starts to compile the shaders of these objects and their children, unless they are hidden. */
+  compile(objects: readonly Object3D[], camera: Camera): void {
+    for (const object of objects) {
+      if (object.visible) this.renderer.compile(object, camera, this.#scene);
+    }
+  }
+
   /**
    * Draws a picture.
    *
@@ -130,6 +158,7 @@ export class Stage {
   #finely(camera: Camera): void {
     this.#into(this.#smooth, () => this.#whole(camera));
     this.#copier.copy(this.renderer, this.#smooth);
+    this.#tiles.markAll();
   }
 
   #quickly(camera: Camera): void {
@@ -142,19 +171,28 @@ export class Stage {
       this.#whole(camera);
       return;
     }
-    if (!this.#fresh) {
-      camera.layers.set(STILL);
-      this.#into(this.#table, () => {
+    const { x: width, y: height } = this.renderer.getDrawingBufferSize(this.#size);
+    this.#tiles.resize(width, height);
+    if (!this.#fresh) this.#keepTable(camera);
+    camera.layers.set(MOVING);
+    this.#extent.mark(this.#scene, camera, [width, height]);
+    this.#table.restore(this.renderer, this.#tiles, this.#tiles.take());
+    this.renderer.render(this.#scene, camera);
+  }
+
+  #keepTable(camera: Camera): void {
+    for (const [layer, picture] of [
+      [STILL, this.#table.colors],
+      [DEPTH, this.#table.depths],
+    ] as const) {
+      camera.layers.set(layer);
+      this.#into(picture, () => {
         this.renderer.clear();
         this.renderer.render(this.#scene, camera);
       });
-      this.#fresh = true;
     }
-    this.renderer.clearDepth();
-    this.#copier.copy(this.renderer, this.#table);
-    camera.layers.set(DEPTH);
-    camera.layers.enable(MOVING);
-    this.renderer.render(this.#scene, camera);
+    this.#tiles.markAll();
+    this.#fresh = true;
   }
 
   #into(picture: Picture, draw: () => void): void {
@@ -180,5 +218,15 @@ export class Stage {
     renderer.setViewport(at[0] - LOUPE / 2, height - at[1] - LOUPE / 2, LOUPE, LOUPE);
     this.#copier.disc(renderer, this.#loupe, BORDER);
     renderer.setViewport(0, 0, width, height);
+    this.#markDisc(at, height);
+  }
+  /** Marks the disc of the loupe around `at` (CSS pixels), which the next picture removes. */
+  #markDisc([x, y]: Loupe["at"], height: number): void {
+    const ratio = this.renderer.getPixelRatio();
+    const [left, bottom] = [x - LOUPE / 2, height - y - LOUPE / 2].map((at) => at * ratio) as [
+      number,
+      number,
+    ];
+    this.#tiles.mark(left, bottom, left + LOUPE * ratio, bottom + LOUPE * ratio);
   }
 }

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { Governor, LEVELS } from "../../../src/viewer/quality";
+import { Governor, LEVELS, SLOW } from "../../../src/viewer/quality";
 
 /** Runs frames of `ms` each. @returns How often the level changed. */
 function run(governor: Governor, ms: number, frames: number, start: { now: number }): number {
@@ -33,7 +33,14 @@ test("one slow frame among fast ones changes nothing", () => {
 
 test("frames of medium speed do not change the level", () => {
   const governor = new Governor(2);
-  expect(run(governor, 30, 1000, { now: 0 })).toBe(0);
+  expect(run(governor, 22, 1000, { now: 0 })).toBe(0);
+});
+
+test("a screen that shows only every second of its 60 frames per second lowers the quality", () => {
+  const governor = new Governor(2);
+  run(governor, 1000 / 30, 40, { now: 0 });
+  expect(governor.level).toBeGreaterThan(2);
+  expect(1000 / SLOW).toBe(40);
 });
 
 test("fast frames over a long time raise the quality", () => {
