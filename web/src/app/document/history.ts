@@ -38,6 +38,12 @@ export class History<T> {
     this.#future = [];
   }
 
+  /** Replaces the present state; undo then takes back both changes. */
+  amend(state: T, label: string): void {
+    this.#present = { state, label, group: null };
+    this.#future = [];
+  }
+
   /** Ends the gesture: the next state becomes an entry of its own, whatever its group. */
   settle(): void {
     this.#present = { ...this.#present, group: null };

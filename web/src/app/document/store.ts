@@ -108,14 +108,26 @@ export class Store {
     label: string,
     group: string | null = null,
   ): boolean {
+    return this.#change(change, (next) => this.#history.push(next, label, group));
+  }
+
+  /** As `apply`, but the change belongs to the present step of the history. */
+  amend(change: Partial<Document>, label: string): boolean {
+    return this.#change(change, (next) => this.#history.amend(next, label));
+  }
+
+  #change(
+    change: Partial<Document> | ((now: Document) => Partial<Document>),
+    keep: (next: Document) => void,
+  ): boolean {
     const before = this.state;
     const patch = typeof change === "function" ? change(before.document) : change;
-    const [next, lock] = this.#steer({ ...before.document, ...patch });
+    const [next, lock] = this.#steer(withoutStudy({ ...before.document, ...patch }));
     if (isOtherShot(next, before.document) && !this.#compile(next)) {
       this.#notify(before);
       return false;
     }
-    this.#history.push(next, label, group);
+    keep(next);
     this.#session = { ...this.#session, ...AIMING, lock, refusal: null };
     this.#notify(before);
     return true;
@@ -250,6 +262,11 @@ const AIMING = {
   playing: false,
   preview: null,
 } as const;
+
+/** A game that begins or is opened ends the analysis of another one. */
+function withoutStudy(next: Document): Document {
+  return next.game && next.study ? { ...next, study: undefined } : next;
+}
 
 /** Whether the engine or the referee must check the document again. */
 function isOtherShot(a: Document, b: Document): boolean {
