@@ -1,8 +1,10 @@
 /** Mounts every part of the page. */
 
+import { mountDiamonds } from "./aim/diamonds.ts";
 import { mountAimPanel } from "./aim/panel.ts";
 import { mountChip } from "./analyse/chip.ts";
 import { mountLines } from "./analyse/panel.ts";
+import { mountPots } from "./analyse/pot.ts";
 import { mountTree } from "./analyse/tree-panel.ts";
 import type { Context } from "./common/context.ts";
 import { mountDock, mountTake } from "./aim/dock.ts";
@@ -44,6 +46,7 @@ export function place(id: string): HTMLElement {
 export function mountPage(store: Store, context: Context, welcome: boolean): void {
   const table = place("table") as HTMLCanvasElement;
   mountTheme(store, context);
+  mountPots(store, context);
   mountRefusal(place("refusal"), store);
   const openTab = mountTabs(place("tabs"), store);
   mountEntrances(place("entrances"), store);
@@ -63,6 +66,7 @@ export function mountPage(store: Store, context: Context, welcome: boolean): voi
   mountAddress(store, context);
   mountFriend(place("game-bar"), store, context);
   mountReload(store, context.engine);
+  mountDiamonds(place("stage"), store, context);
   mountDock(place("shoot"), store, context, () => {
     openTab("aim");
   });

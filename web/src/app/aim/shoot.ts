@@ -80,7 +80,7 @@ export function takeItFromHere(store: Store, context: Context): void {
   // One undo takes back one shot.
   const taken =
     kept.get(store) === store.document
-      ? store.amend(change, t("change.node"))
+      ? store.amend(change)
       : store.apply(change, t("change.take"));
   if (taken && struck !== cue) {
     const names = { ball: ballName(cue), struck: ballName(struck) };

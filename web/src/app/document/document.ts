@@ -124,6 +124,8 @@ export interface Session {
   readonly rules: string | null;
   /** Whether the tangent line and the natural angle are drawn. */
   readonly guides: boolean;
+  /** Whether the numbers of a diamond system are drawn. */
+  readonly diamonds: boolean;
   /** Fine adjustment: drags and keys have a tenth of their effect. */
   readonly fine: boolean;
 }
@@ -149,5 +151,6 @@ export const FIRST_SESSION: Session = {
   level: "club",
   rules: null,
   guides: false,
+  diamonds: false,
   fine: false,
 };

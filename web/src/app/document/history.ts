@@ -39,8 +39,8 @@ export class History<T> {
   }
 
   /** Replaces the present state; undo then takes back both changes. */
-  amend(state: T, label: string): void {
-    this.#present = { state, label, group: null };
+  amend(state: T): void {
+    this.#present = { ...this.#present, state };
     this.#future = [];
   }
 
