@@ -21,8 +21,12 @@ async function begin(page: Page, { game, seed = 7, machine, guide }: Begun = {})
   const panel = page.locator("#panel-game");
   if (game) await panel.getByLabel("Game", { exact: true }).selectOption(game);
   await panel.getByLabel("Player 1", { exact: true }).fill("Ann");
-  if (machine) await panel.getByLabel("Played by").nth(1).selectOption(machine);
-  else await panel.getByLabel("Player 2", { exact: true }).fill("Bea");
+  const by = panel.getByLabel("Played by").nth(1);
+  if (machine) await by.selectOption(machine);
+  else {
+    if ((await by.inputValue()) !== "friend") await by.selectOption("");
+    await panel.getByLabel("Player 2", { exact: true }).fill("Bea");
+  }
   await panel.getByText("Rack and table").click();
   await panel.getByLabel("Seed of the rack").fill(String(seed));
   if (guide) await panel.getByLabel("Guide while aiming").selectOption(guide);
