@@ -14,9 +14,9 @@ for (const [name, viewport] of [
     const overlay = page.locator(".diamonds");
     expect(await overlay.isVisible()).toBe(false);
     await page.evaluate(() => {
-      const cue = { id: "cue", position: [0.3, 2.05] as const };
+      const cue = { id: "cue", position: [0.206, 2.147] as const };
       const one = { id: "1", position: [0.2, 1.9] as const };
-      const strike = { ball: "cue", speed: 2.2, azimuth_deg: -60, side: 0.3, height: 0.3 };
+      const strike = { ball: "cue", speed: 2.2, azimuth_deg: 307.6, side: 0.3, height: 0.3 };
       const shot = { format: "carom-shot/1", table: "wpa-9ft", balls: [cue, one], strike } as const;
       window.carom!.store.apply({ shot }, "kick");
     });
