@@ -3,7 +3,7 @@
 import "./game.css";
 import type { FrameState, Seat } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
-import { h, setText } from "../common/dom.ts";
+import { focusWhileScrolling, h, setText } from "../common/dom.ts";
 import { gameName } from "../common/presets.ts";
 import { leave } from "../replay/control.ts";
 import type { Store } from "../document/store.ts";
@@ -47,6 +47,7 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
   const study = h("div", { class: "row study", hidden: true });
   root.append(score, said, answers, step, machine, study);
   mountStudy(study, store, context);
+  focusWhileScrolling(root, score, said, answers);
   mountStep(step, store, context);
   const clock = h("div", { class: "shot-clock" });
   root.append(clock);
