@@ -153,7 +153,8 @@ class Frame:
         shot may end differently, and a later move may then be refused.
 
         Args:
-            record: The value of ``Frame.record``.
+            record: The value of ``Frame.record``. A shot may have ``variations``, a text of the
+                page's analysis; the frame does not keep it.
 
         Raises:
             InputError: It is not such a record, or a move is not allowed; the message has the

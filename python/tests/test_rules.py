@@ -251,6 +251,17 @@ def test_a_frame_draws_strike_and_cling_of_the_variant_with_the_number_of_the_sh
     assert carom.Frame.replay(record).record == record
 
 
+def test_a_record_with_variations_replays_to_the_same_bits() -> None:
+    frame = carom.Frame("nine-ball", seed=5)
+    frame.play(carom.Strike(speed=8.0, azimuth=math.pi / 2))
+    record = json.loads(json.dumps(frame.record))
+    text = '[Carom "tree/1"]\n[Layout {}]\n1. "cue" speed=8 azimuth_deg=90 {too hard}'
+    record["moves"][0]["variations"] = text
+    again = carom.Frame.replay(record)
+    assert again.to_dict() == frame.to_dict()
+    assert again.record == frame.record
+
+
 def test_the_cling_of_a_record_is_played_again() -> None:
     frame = carom.Frame("nine-ball", seed=3)
     before = frame.copy()

@@ -1,8 +1,10 @@
 /** Mounts every part of the page. */
 
+import { mountDiamonds } from "./aim/diamonds.ts";
 import { mountAimPanel } from "./aim/panel.ts";
 import { mountChip } from "./analyse/chip.ts";
 import { mountLines } from "./analyse/panel.ts";
+import { mountPots } from "./analyse/pot.ts";
 import { mountTree } from "./analyse/tree-panel.ts";
 import type { Context } from "./common/context.ts";
 import { mountDock, mountTake } from "./aim/dock.ts";
@@ -73,6 +75,7 @@ export function mountPage(store: Store, context: Context, welcome: boolean): () 
 /** @returns Opens the help. */
 function mountParts(store: Store, context: Context, welcome: boolean): () => void {
   const table = place("table") as HTMLCanvasElement;
+  mountPots(store, context);
   mountRefusal(place("refusal"), store);
   mountAimPanel(place("panel-aim"), store, context);
   mountLines(place("panel-lines"), store, context);
@@ -89,6 +92,7 @@ function mountParts(store: Store, context: Context, welcome: boolean): () => voi
   mountAddress(store, context);
   mountFriend(place("game-bar"), store, context);
   mountReload(store, context.engine);
+  mountDiamonds(place("stage"), store, context);
   const showSteps = mountOpening(place("first-use"), store, context, welcome);
   const openHelp = mountHelp(place("help") as HTMLDialogElement, store, context, showSteps);
   mountGestures(table, store, context);

@@ -147,7 +147,13 @@ export interface FrameOptions extends FrameTerms {
 
 /** A move of a record: a play with all numbers of its strike, a choice, or a concession. */
 export type FrameMove =
-  { readonly play: Play } | { readonly choice: Choice } | { readonly concede: true };
+  | {
+      readonly play: Play;
+      /** What the page's analysis has of the shot: a text `tree/1`. A frame does not keep it. */
+      readonly variations?: string;
+    }
+  | { readonly choice: Choice }
+  | { readonly concede: true };
 
 /** How a recorded frame starts: from its racks, or from the balls of a shot. */
 export type FrameSetup = FrameTerms & { readonly game: string } & (

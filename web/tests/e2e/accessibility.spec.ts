@@ -44,6 +44,7 @@ for (const [name, viewport] of [
       await page.getByRole("radio", { name: "Play" }).click();
       const panel = page.locator("#panel-game");
       await panel.getByLabel("Game", { exact: true }).selectOption("straight-pool");
+      await panel.getByLabel("Played by").nth(1).selectOption("");
       await panel.getByRole("button", { name: "Start the game" }).click();
       // On a phone the sheet is folded when a game begins.
       if (!(await panel.isVisible())) await page.getByRole("tab", { name: "Game" }).click();
@@ -109,6 +110,8 @@ test("two shots and a choice of a game are made by keyboard alone", async ({ ope
   await onto(/^Analyse$/, "ArrowRight");
   await onto(/^Game$/, "Home"); // the tab, which has the same name as the list
   await onto(/^Game$/, "s"); // typing in a list selects "Straight pool"
+  await onto(/^Played by$/, "Tab"); // of the first player
+  await onto(/^Played by$/, "Home"); // a person
   await onto(/^Start the game$/, "Enter");
   await onto(/^Safety$/, "Space");
   await onto(/^Table\./, "ArrowDown");

@@ -234,3 +234,29 @@ test("the zone for the next ball and a plan of three balls are shown", async ({ 
   await page.evaluate(() => window.carom!.store.undo());
   expect((await shotOf(page)).balls.length).toBe(4);
 });
+
+test("in practice the chances are those of the pots", async ({ open }) => {
+  const page = await open({ viewport: WIDE });
+  const pot = await page.locator("#chance-chip:not([data-stale])").textContent();
+  await page.getByRole("radio", { name: "Play" }).click();
+  const panel = page.locator("#panel-game");
+  await panel.getByLabel("Game", { exact: true }).selectOption("practice");
+  await panel.getByText("Rack and table").click();
+  await panel.getByLabel("Begin with").selectOption("lie");
+  await panel.getByRole("button", { name: "Start the game" }).click();
+  await page.getByRole("radio", { name: "Analyse" }).click();
+  await page.evaluate(() => {
+    window.carom!.store.strike({ speed: 2, azimuth_deg: 66.8, height: -0.2 }, "aim");
+  });
+  const chip = page.locator("#chance-chip:not([data-stale])");
+  await expect.poll(() => chip.textContent()).toMatch(/^\d+ % club$/);
+  // The same variants of the same shot.
+  expect(await chip.textContent()).toBe(pot);
+  expect(pot).not.toMatch(/^100 %/);
+  await openLines(page);
+  const facts = page.locator(".line .facts");
+  await expect.poll(async () => (await facts.allTextContents()).join()).not.toContain("…");
+  const said = await facts.allTextContents();
+  for (const text of said) expect(text).toMatch(/^(Pot \d+ %)?$/);
+  expect(said.some((text) => text !== "" && text !== "Pot 100 %")).toBe(true);
+});

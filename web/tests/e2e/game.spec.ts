@@ -31,6 +31,7 @@ async function begin(page: Page, { game, seed = 7, names = ["Ann", "Bea"] }: Beg
   const panel = page.locator("#panel-game");
   if (game) await panel.getByLabel("Game", { exact: true }).selectOption(game);
   await panel.getByLabel("Player 1", { exact: true }).fill(names[0]);
+  await panel.getByLabel("Played by").nth(1).selectOption("");
   await panel.getByLabel("Player 2", { exact: true }).fill(names[1]);
   await panel.getByText("Rack and table").click();
   await panel.getByLabel("Seed of the rack").fill(String(seed));

@@ -21,8 +21,12 @@ async function begin(page: Page, { game, seed = 7, machine, guide }: Begun = {})
   const panel = page.locator("#panel-game");
   if (game) await panel.getByLabel("Game", { exact: true }).selectOption(game);
   await panel.getByLabel("Player 1", { exact: true }).fill("Ann");
-  if (machine) await panel.getByLabel("Played by").nth(1).selectOption(machine);
-  else await panel.getByLabel("Player 2", { exact: true }).fill("Bea");
+  const by = panel.getByLabel("Played by").nth(1);
+  if (machine) await by.selectOption(machine);
+  else {
+    if ((await by.inputValue()) !== "friend") await by.selectOption("");
+    await panel.getByLabel("Player 2", { exact: true }).fill("Bea");
+  }
   await panel.getByText("Rack and table").click();
   await panel.getByLabel("Seed of the rack").fill(String(seed));
   if (guide) await panel.getByLabel("Guide while aiming").selectOption(guide);
@@ -402,3 +406,19 @@ for (const [name, viewport] of [
     expect(await bar(page)).toMatch(/Bea to shoot/);
   });
 }
+
+test("somebody alone has an opponent: the second player is a machine of level 3 at first", async ({
+  open,
+}) => {
+  const page = await open({ viewport: WIDE, reducedMotion: "reduce" });
+  await page.getByRole("radio", { name: "Play" }).click();
+  const panel = page.locator("#panel-game");
+  expect(await panel.getByLabel("Player 2", { exact: true }).inputValue()).toBe("Machine 3");
+  await panel.getByRole("button", { name: "Start the game" }).click();
+  const { machines, names } = await page.evaluate(() => window.carom!.store.document.game!.setup);
+  expect([machines, names]).toEqual([
+    [null, "level-3"],
+    ["Player 1", "Machine 3"],
+  ]);
+  expect(await bar(page)).toMatch(/Player 1 to shoot/);
+});

@@ -5,6 +5,10 @@ const lock = (page: Page) => page.evaluate(() => window.carom!.store.session.loc
 const pocketed = (page: Page) =>
   page.evaluate(() => window.carom!.store.ghost.trace!.outcome.pocketed);
 
+/** Waits for the worker that searches the line. */
+const solved = (page: Page) =>
+  page.waitForFunction(() => window.carom!.store.session.lock?.solved === true);
+
 /** Where ball 9 and the pocket at the top right lie in the picture. */
 async function targets(page: Page) {
   const { geometry, ball } = await page.evaluate(() => {
@@ -33,6 +37,7 @@ for (const viewport of [PHONE, { width: 1280, height: 800 }]) {
       isPhone ? page.touchscreen.tap(x, y) : page.mouse.click(x, y);
     await tap(ball);
     await tap(pocket);
+    await solved(page);
     await settled(page);
     expect(await lock(page)).toMatchObject({ ball: "9", pocket: "top-right", solved: true });
     expect(await page.locator("#outcome").textContent()).toMatch(
@@ -55,11 +60,13 @@ test("the pot stays aimed while speed, English and elevation change, until the c
   const { ball, pocket } = await targets(page);
   await page.mouse.click(ball.x, ball.y);
   await page.mouse.click(pocket.x, pocket.y);
+  await solved(page);
   const strike = (patch: object) =>
     page.evaluate((patch) => window.carom!.store.strike(patch, "change"), patch);
   const azimuths = new Set<number>();
   for (const patch of [{ side: 0.4 }, { speed: 3.5 }, { elevation_deg: 20 }, { height: -0.3 }]) {
     await strike(patch);
+    await solved(page);
     expect(await pocketed(page)).toContainEqual(["9", "top-right"]);
     azimuths.add((await shotOf(page)).strike!.azimuth_deg!);
   }
@@ -70,6 +77,7 @@ test("the pot stays aimed while speed, English and elevation change, until the c
   expect((await lock(page))!.solved).toBe(false);
   expect(await page.locator("#outcome").textContent()).toContain("no line with this stroke");
   await strike({ speed: 3 });
+  await solved(page);
   expect(await pocketed(page)).toContainEqual(["9", "top-right"]);
   await page.keyboard.press("Control+z");
   expect(await lock(page)).toBeNull();
@@ -80,8 +88,8 @@ test("a drag past a pot clicks into it, and with Shift it does not", async ({ op
   const { ball, pocket } = await targets(page);
   await page.mouse.click(ball.x, ball.y);
   await page.mouse.click(pocket.x, pocket.y);
-  await settled(page);
-  const solved = (await shotOf(page)).strike!.azimuth_deg!;
+  await solved(page);
+  const middle = (await shotOf(page)).strike!.azimuth_deg!;
   const drag = async (from: number, by: number, fine: boolean) => {
     await page.evaluate((azimuth_deg) => window.carom!.store.strike({ azimuth_deg }, "turn"), from);
     await settled(page);
@@ -102,12 +110,12 @@ test("a drag past a pot clicks into it, and with Shift it does not", async ({ op
     if (fine) await page.keyboard.up("Shift");
     return found;
   };
-  const [snapped, kept] = await drag(solved - 6, 5.4, false);
-  expect(snapped).toBeCloseTo(solved, 1);
+  const [snapped, kept] = await drag(middle - 6, 5.4, false);
+  expect(snapped).toBeCloseTo(middle, 1);
   expect(kept).toMatchObject({ ball: "9", pocket: "top-right" });
-  const [free, none] = await drag(solved - 1.2, 6, true);
+  const [free, none] = await drag(middle - 1.2, 6, true);
   expect(none).toBeNull();
-  expect(free).not.toBeCloseTo(solved, 2);
+  expect(free).not.toBeCloseTo(middle, 2);
 });
 
 test("the keyboard aims the selected ball at one pocket after another", async ({ open }) => {
@@ -117,15 +125,19 @@ test("the keyboard aims the selected ball at one pocket after another", async ({
   await page.getByRole("application", { name: /^Table/ }).focus();
   const seen: string[] = [];
   for (let k = 0; k < 3; k += 1) {
+    const before = await lock(page);
     await page.keyboard.press("p");
-    await settled(page);
+    await page.waitForFunction(
+      (pocket) => ![undefined, pocket].includes(window.carom!.store.session.lock?.pocket),
+      before?.pocket,
+    );
     const aim = (await lock(page))!;
     seen.push(aim.pocket);
     expect(await pocketed(page)).toContainEqual(["9", aim.pocket]);
   }
   expect(new Set(seen).size).toBe(3);
   await page.keyboard.press("Shift+P");
-  expect((await lock(page))!.pocket).toBe(seen[1]);
+  await expect.poll(async () => (await lock(page))?.pocket).toBe(seen[1]);
 });
 
 /** Place and size of the table's part of the page. */

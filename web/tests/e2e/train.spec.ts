@@ -409,3 +409,20 @@ test("the puzzle is made in a worker, which ends with it", async ({ open }) => {
   expect(ended).toHaveLength(1);
   await Promise.all(ended);
 });
+
+test("a reload keeps a drill, and counts the shot that was under way", async ({ open }) => {
+  const page = await open({ viewport: SIZES[0] });
+  await train(page);
+  const before = await shotOf(page);
+  await begin(page, "stop");
+  await page.evaluate(() => window.carom!.store.strike({ azimuth_deg: 200, speed: 1 }, "miss"));
+  await page.getByRole("button", { name: "Shoot" }).click();
+  await page.reload();
+  await page.waitForFunction(() => performance.getEntriesByName("carom:interactive").length > 0);
+  const boxes = page.locator(".attempts li[data-made]");
+  await expect.poll(() => boxes.count()).toBe(1);
+  expect(await page.evaluate(() => window.carom!.store.session.attempt !== null)).toBe(true);
+  expect(await page.evaluate(() => window.carom!.store.session.mode)).toBe("aim");
+  await page.getByRole("button", { name: "Leave" }).click();
+  expect((await shotOf(page)).balls).toEqual(before.balls);
+});

@@ -2,7 +2,7 @@
 
 import type { Trace } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
-import { h, icon, setText, shortened } from "../common/dom.ts";
+import { focusWhileScrolling, h, icon, setText, shortened } from "../common/dom.ts";
 import { shownGuide } from "../document/guide.ts";
 import { raiseTheCue } from "../document/strike.ts";
 import { guideText } from "../game/guide/words.ts";
@@ -47,8 +47,15 @@ export function mountDock(
   const spoken = h("p", { class: "unseen", role: "status", "aria-live": "polite" });
   const power = h("div", { class: "power" });
   mountPower(power, store, context);
+  const said = h(
+    "div",
+    { class: "outcome-text" },
+    text,
+    h("div", { class: "row" }, warning, remedy),
+  );
+  focusWhileScrolling(said, text);
   root.append(
-    h("div", { class: "outcome-text" }, text, h("div", { class: "row" }, warning, remedy)),
+    said,
     h("div", { class: "strike" }, spinButton(store, openAim), power, button),
     spoken,
   );
@@ -65,11 +72,11 @@ export function mountDock(
     const aim = lock && trace ? lockText(lock, contact) : "";
     const hit = !lock && contact ? hitText(contact) : "";
     const obstacle = trace ? obstruction(trace.outcome) : null;
-    const said = (seen: Trace) =>
+    const inWords = (seen: Trace) =>
       guide === "full"
         ? paragraph([aim, ...withHit(summary(seen), hit)])
         : aim || guideText(seen, guide);
-    setText(text, paragraph([attempt?.text ?? "", trace ? said(trace) : (error ?? "")]));
+    setText(text, paragraph([attempt?.text ?? "", trace ? inWords(trace) : (error ?? "")]));
     setText(warning, obstacle ?? "");
     warning.hidden = obstacle === null;
     remedy.hidden = obstacle === null || trace?.outcome.least_elevation_deg === null;

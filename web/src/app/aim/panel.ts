@@ -41,19 +41,21 @@ export function mountAimPanel(root: HTMLElement, store: Store, context: Context)
   mountGuides(root, store);
 }
 
-/** The switch of the tangent line and the natural angle. */
+/** The switches of the tangent line with the natural angle, and of the diamond systems. */
 function mountGuides(root: HTMLElement, store: Store): void {
-  const box = h("input", { type: "checkbox", id: uniqueId("guides"), role: "switch" });
-  box.addEventListener("change", () => {
-    store.setSession({ guides: box.checked });
-  });
-  store.subscribe(({ session }) => {
-    box.checked = session.guides;
-  });
-  root.append(
-    h("div", { class: "switch row" }, box, h("label", { for: box.id }, t("aim.guides"))),
-    h("p", { class: "hint" }, t("aim.guides-hint")),
-  );
+  for (const key of ["guides", "diamonds"] as const) {
+    const box = h("input", { type: "checkbox", id: uniqueId(key), role: "switch" });
+    box.addEventListener("change", () => {
+      store.setSession({ [key]: box.checked });
+    });
+    store.subscribe(({ session }) => {
+      box.checked = session[key];
+    });
+    root.append(
+      h("div", { class: "switch row" }, box, h("label", { for: box.id }, t(`aim.${key}`))),
+      h("p", { class: "hint" }, t(`aim.${key}-hint`)),
+    );
+  }
 }
 
 function mountOffsets(root: HTMLElement, store: Store, context: Context): void {

@@ -4,6 +4,7 @@ import { CaromError, type Noise, type Shot, type Trace } from "../../engine/inde
 import type { Context } from "../common/context.ts";
 import { errorText } from "../common/refusals.ts";
 import { ballName } from "../common/words.ts";
+import type { Document } from "../document/document.ts";
 import type { Store } from "../document/store.ts";
 import { automatic, changed } from "../document/strike-angles.ts";
 import { playShot } from "../game/play.ts";
@@ -52,8 +53,13 @@ function keep(store: Store, { engine }: Context): void {
   const { shot, tree = NO_TREE } = store.document;
   const next = withShot(tree, shot, treeEngine(engine).endOf);
   if (next.nodes.length > MOST_NODES) store.refuse(t("tree.too-many", { most: MOST_NODES }));
-  else if (next.at !== tree.at) store.apply({ tree: next }, t("change.node"));
+  else if (next.at !== tree.at && store.apply({ tree: next }, t("change.node"))) {
+    kept.set(store, store.document);
+  }
 }
+
+/** Documents whose last change added the shot to the tree: going on from its end is the same step. */
+const kept = new WeakMap<Store, Document>();
 
 /** Makes the end of the replayed shot the new layout. */
 export function takeItFromHere(store: Store, context: Context): void {
@@ -70,7 +76,12 @@ export function takeItFromHere(store: Store, context: Context): void {
   store.setSession({ lock: null });
   // The next shot starts at the centre and at the automatic elevation: both rarely carry over.
   const strike = automatic(changed(shot.strike, { ball: struck, side: 0, height: 0 }));
-  const taken = store.apply({ shot: { ...shot, balls, strike } }, t("change.take"));
+  const change = { shot: { ...shot, balls, strike } };
+  // One undo takes back one shot.
+  const taken =
+    kept.get(store) === store.document
+      ? store.amend(change)
+      : store.apply(change, t("change.take"));
   if (taken && struck !== cue) {
     const names = { ball: ballName(cue), struck: ballName(struck) };
     context.announce(sentence(t("aim.other-struck", names)));

@@ -11,6 +11,7 @@ import { ballName, pocketName } from "../common/words.ts";
 import type { State, Store } from "../document/store.ts";
 import { presentCall } from "../game/calling.ts";
 import { standing } from "../game/turn.ts";
+import { isForOne } from "../game/words.ts";
 import { presetOf, presetsOf } from "../whatif/noise.ts";
 import { Desk } from "./desk/client.ts";
 import type { ChanceJob } from "./desk/protocol.ts";
@@ -98,7 +99,9 @@ function questionOf(store: Store, { engine }: Context): Question | null {
   if (store.session.activity !== "analyse") return null;
   const noise = noiseOf(engine, store.state);
   const job = (of: ChanceJob["of"]): ChanceJob => ({ kind: "chance", noise, count: COUNT, of });
-  if (store.document.game) {
+  // A single player keeps the turn with every shot: there the pot counts.
+  const { game } = store.document;
+  if (game && !isForOne(game.setup.rules)) {
     const progress = standing(store, engine)!;
     const play = playOf(store, { engine });
     if (!play) return null;

@@ -10,7 +10,10 @@ import type { State, Store } from "../document/store.ts";
 import { ellipseOf, leavePicture } from "./leave.ts";
 import { type Found, Lines } from "./lines.ts";
 import { mountNext } from "./next.ts";
-import { aimLine, readShot } from "./play-line.ts";
+import { isForOne } from "../game/words.ts";
+import { Desk } from "./desk/client.ts";
+import DeskWorker from "./desk/worker.ts?worker&inline";
+import { aimLine, readShot, shotOf } from "./play-line.ts";
 import { type Position, positionOf } from "./position.ts";
 import { hidePreview, showShot } from "./preview.ts";
 import { mountStop } from "./stop.ts";
@@ -19,6 +22,9 @@ import { decimal, t } from "../words/translate.ts";
 
 /** Time (ms) without a change of the position after which it is searched: a drag moves a ball every frame. */
 const REST = 60;
+
+/** Variants of a counted pot. */
+const POTS = 600;
 
 /** Colour of the area in which the cue ball stops. */
 const STOP = "#8fe3ff";
@@ -60,6 +66,9 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
   rules.addEventListener("change", () => store.setSession({ rules: rules.value }));
   level.addEventListener("change", () => store.setSession({ level: level.value }));
 
+  const desk = new Desk(() => new DeskWorker(), engine);
+  /** Chances of pots, by their plays. */
+  const potChances = new WeakMap<Recommendation["play"], number>();
   let lines: Lines | null = null;
   let found: Found | null = null;
   let timer: ReturnType<typeof setTimeout> | undefined;
@@ -115,6 +124,7 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
           ? t("lines.done", { samples, seconds: decimal(elapsed / 1000, 1) })
           : t("lines.searching"),
     );
+    countPots(result);
   }
 
   function lineItem(
@@ -125,13 +135,20 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
     const { play, kept, foul, win_chance: win } = line;
     const { geometry, balls } = store.shot;
     const cue = store.document.shot.strike.ball;
-    const facts = h(
-      "span",
-      { class: "facts" },
-      fact(t(line.ball === null ? "lines.kept" : "lines.pot-chance"), percent(kept.probability)),
-      fact(t("lines.foul"), percent(foul.probability)),
-      fact(t("lines.win"), percent(win)),
-    );
+    // A single player keeps the turn with every shot, makes no foul and wins nothing: there the pot counts.
+    const alone = isForOne(rules.value);
+    const facts = alone
+      ? h("span", { class: "facts" }, potFact(line))
+      : h(
+          "span",
+          { class: "facts" },
+          fact(
+            t(line.ball === null ? "lines.kept" : "lines.pot-chance"),
+            percent(kept.probability),
+          ),
+          fact(t("lines.foul"), percent(foul.probability)),
+          fact(t("lines.win"), percent(win)),
+        );
     const button = h(
       "button",
       {
@@ -157,6 +174,35 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
       leavePicture(geometry, balls, cue, line, isLying()),
     );
     return h("li", {}, button, ...(all.length > 1 ? why(line, index, all) : []));
+  }
+
+  /** The chance of a line's pot, counted; empty until it is known, and for a line without a pot. */
+  function potFact(line: Recommendation): HTMLElement | false {
+    if (line.ball === null || line.pocket === null) return false;
+    const chance = potChances.get(line.play);
+    return fact(t("lines.pot-chance"), chance === undefined ? "…" : percent(chance));
+  }
+
+  /** Counts the pots of the lines, one after the other. */
+  function countPots({ plays, position, done }: Found): void {
+    if (!done || !isForOne(position.rules)) return;
+    const line = plays.find(({ ball, play }) => ball !== null && !potChances.has(play));
+    if (line?.ball == null || line.pocket === null) return;
+    const { ball, pocket, play } = line;
+    desk.ask(
+      {
+        kind: "chance",
+        noise: position.noise,
+        count: POTS,
+        of: { shot: JSON.stringify(shotOf(store.document.shot, play)), ball, pocket },
+      },
+      {
+        part: ({ met, count }) => count === POTS && potChances.set(play, met / count),
+        done: () => {
+          if (found?.plays === plays) show(found);
+        },
+      },
+    );
   }
 
   /** Whether the table lies on the screen, as in a wide window. */

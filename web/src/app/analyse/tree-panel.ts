@@ -20,6 +20,7 @@ import {
   without,
 } from "../document/tree.ts";
 import { treeFromText, treeToText } from "../document/tree-text.ts";
+import { isPlayed } from "../game/variations.ts";
 import { replay } from "../replay/control.ts";
 import { Desk } from "./desk/client.ts";
 import DeskWorker from "./desk/worker.ts?worker&inline";
@@ -150,7 +151,8 @@ export function mountTree(
       ),
     ),
   );
-  root.append(h("h2", {}, t("tree.title")), empty, list, curve, own, files);
+  const title = h("h2");
+  root.append(title, empty, list, curve, own, files);
 
   function visit({ id, shot }: TreeNode): void {
     store.apply({ shot, game: null, tree: { ...treeNow(), at: id } }, t("change.visit"));
@@ -195,6 +197,8 @@ export function mountTree(
 
   function show(): void {
     const tree = treeNow();
+    const { study } = store.document;
+    setText(title, study ? t("tree.of-move", { number: study.move + 1 }) : t("tree.title"));
     const rows = rowsOf(tree);
     const had = list.contains(document.activeElement);
     list.replaceChildren(
@@ -211,7 +215,9 @@ export function mountTree(
               onclick: () => visit(node),
             },
             h("b", {}, `${number}. `),
-            resultText(engine, node),
+            study && isPlayed(engine, study, node)
+              ? t("tree.played", { text: resultText(engine, node) })
+              : resultText(engine, node),
             node.comment ? h("span", { class: "hint" }, ` ${node.comment}`) : null,
           ),
         );
@@ -263,7 +269,8 @@ export function mountTree(
   }
 
   store.subscribe((now, before) => {
-    if (now.document.tree !== before.document.tree) show();
+    const [is, was] = [now.document, before.document];
+    if (is.tree !== was.tree || is.study !== was.study) show();
     else if (
       now.session.level !== before.session.level ||
       now.document.noise !== before.document.noise

@@ -64,3 +64,12 @@ export function setText(element: Element, text: string): void {
 export function shortened(name: string, short: string): HTMLElement[] {
   return [h("span", { class: "long" }, name), h("span", { class: "short" }, short)];
 }
+
+/** Lets the keyboard scroll an element while its contents are higher than it is. */
+export function focusWhileScrolling(element: HTMLElement, ...contents: readonly Element[]): void {
+  const watcher = new ResizeObserver(() => {
+    if (element.scrollHeight > element.clientHeight + 1) element.tabIndex = 0;
+    else element.removeAttribute("tabindex");
+  });
+  for (const one of [element, ...contents]) watcher.observe(one);
+}

@@ -21,6 +21,18 @@ export interface Document {
   readonly game: Game | null;
   /** The shots that were played in the analysis. */
   readonly tree?: Tree | undefined;
+  /** The shot of a game that is analysed; the tree then has its variations. */
+  readonly study?: Study | undefined;
+}
+
+/** The analysis of a shot of a game, and what comes back at its end. */
+export interface Study {
+  readonly game: Game;
+  /** Index of the move. */
+  readonly move: number;
+  /** Shot and tree of the page before. */
+  readonly shot: AimedShot;
+  readonly tree: Tree | undefined;
 }
 
 export type Theme = "auto" | "light" | "dark";
@@ -112,6 +124,8 @@ export interface Session {
   readonly rules: string | null;
   /** Whether the tangent line and the natural angle are drawn. */
   readonly guides: boolean;
+  /** Whether the numbers of a diamond system are drawn. */
+  readonly diamonds: boolean;
   /** Fine adjustment: drags and keys have a tenth of their effect. */
   readonly fine: boolean;
 }
@@ -137,5 +151,6 @@ export const FIRST_SESSION: Session = {
   level: "club",
   rules: null,
   guides: false,
+  diamonds: false,
   fine: false,
 };

@@ -50,6 +50,12 @@ export interface Setup {
 export type Move =
   { readonly play: Play } | { readonly choice: Choice } | { readonly concede: true };
 
+/**
+ * Trees of shots as text, by the index of a move: what could have been played from the position before it.
+ * The first shot of a tree is the move itself, for its comment.
+ */
+export type Variations = Readonly<Record<number, string>>;
+
 /** Immutable. Games that share the `moves` object are at the same point of the same frame. */
 export interface Game {
   readonly setup: Setup;
@@ -60,6 +66,8 @@ export interface Game {
   readonly here?: Seat;
   /** Which players have used the extension of the shot clock. Left out: none. */
   readonly extended?: Pair<boolean>;
+  /** Variations of shots, by the index of the move. Left out: none. */
+  readonly variations?: Variations;
 }
 
 /** The level of the machine that plays for `player`; null if a person does. */

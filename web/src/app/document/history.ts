@@ -38,6 +38,12 @@ export class History<T> {
     this.#future = [];
   }
 
+  /** Replaces the present state; undo then takes back both changes. */
+  amend(state: T): void {
+    this.#present = { ...this.#present, state };
+    this.#future = [];
+  }
+
   /** Ends the gesture: the next state becomes an entry of its own, whatever its group. */
   settle(): void {
     this.#present = { ...this.#present, group: null };

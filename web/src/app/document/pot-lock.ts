@@ -23,17 +23,19 @@ export function lockOf(ball: string, pocket: PocketName, aim: PotAim): PotLock {
  * the aim away. If no line is left, the aim stays where it was and the lock is not solved.
  *
  * @param read Reads a shot; the caller frees it.
+ * @param near Whether only lines near the present one are searched.
  */
 export function steered(
   lock: PotLock,
   [before, after]: readonly [AimedShot, AimedShot],
   read: (shot: AimedShot) => Shot,
+  near = false,
 ): { readonly shot: AimedShot; readonly lock: PotLock | null } {
   const turned = azimuthOf(after.strike) !== azimuthOf(before.strike);
   if (turned || after.strike.ball !== before.strike.ball) return { shot: after, lock: null };
   try {
     const shot = read(after);
-    const aim = shot.potAim(lock.ball, lock.pocket);
+    const aim = shot.potAim(lock.ball, lock.pocket, { near });
     shot.free();
     if (!aim) return { shot: after, lock: { ...lock, solved: false } };
     const strike = changed(after.strike, { azimuth_deg: azimuthOfAim(aim) });

@@ -9,6 +9,7 @@
 import {
   CaromError,
   type PocketName,
+  type PotAim,
   type Shot,
   type StrikeEntry,
   type Trace,
@@ -50,6 +51,23 @@ export interface Ghost {
   readonly milliseconds: number;
 }
 
+/** The first of some pockets into which a ball can be potted. */
+export interface PotQuestion {
+  /** A shot file. */
+  readonly shot: string;
+  readonly ball: string;
+  readonly pockets: readonly PocketName[];
+}
+
+/** A pocket, and the line on which the ball falls into it. */
+export interface FoundPot {
+  readonly pocket: PocketName;
+  readonly aim: PotAim;
+}
+
+/** Answers the last question only; null if there is no line. */
+export type PotSolver = (question: PotQuestion, answer: (found: FoundPot | null) => void) => void;
+
 export class Store {
   readonly #compiler: Compiler;
   readonly #history: History<Document>;
@@ -58,6 +76,7 @@ export class Store {
   #session: Session = FIRST_SESSION;
   #shot: Shot;
   #ghost: Ghost | null = null;
+  #solver: PotSolver | null = null;
 
   /** @throws CaromError if the engine refuses `document`. */
   constructor(compiler: Compiler, document: Document, view: View = FIRST_VIEW) {
@@ -108,17 +127,38 @@ export class Store {
     label: string,
     group: string | null = null,
   ): boolean {
+    return this.#change(change, (next) => this.#history.push(next, label, group));
+  }
+
+  /** As `apply`, but the change belongs to the present step of the history. */
+  amend(change: Partial<Document>): boolean {
+    return this.#change(change, (next) => this.#history.amend(next));
+  }
+
+  #change(
+    change: Partial<Document> | ((now: Document) => Partial<Document>),
+    keep: (next: Document) => void,
+  ): boolean {
     const before = this.state;
     const patch = typeof change === "function" ? change(before.document) : change;
-    const [next, lock] = this.#steer({ ...before.document, ...patch });
+    const [next, lock] = this.#steer(withoutStudy({ ...before.document, ...patch }));
     if (isOtherShot(next, before.document) && !this.#compile(next)) {
       this.#notify(before);
       return false;
     }
-    this.#history.push(next, label, group);
+    keep(next);
     this.#session = { ...this.#session, ...AIMING, lock, refusal: null };
     this.#notify(before);
+    if (next.shot !== before.document.shot) this.#solve();
     return true;
+  }
+
+  /**
+   * Gives the searches for lines that may take long to `solver`, such as a worker. Without one they run at
+   * once.
+   */
+  solvePotsWith(solver: PotSolver): void {
+    this.#solver = solver;
   }
 
   /**
@@ -129,10 +169,30 @@ export class Store {
    */
   aimAtPocket(ball: string, pocket: PocketName, label: string): boolean {
     const aim = this.#shot.potAim(ball, pocket);
-    if (!aim) return false;
+    return aim !== null && this.takeAim(ball, pocket, aim, label);
+  }
+
+  /** As `aimAtPocket`, for a line that is known. @returns Whether it was accepted. */
+  takeAim(ball: string, pocket: PocketName, aim: PotAim, label: string): boolean {
     if (!this.strike({ azimuth_deg: azimuthOfAim(aim) }, label)) return false;
     this.setSession({ lock: lockOf(ball, pocket, aim) });
     return true;
+  }
+
+  /** Searches a new line for a pot that the last change of the strike has lost. */
+  #solve(): void {
+    const { lock } = this.#session;
+    const { shot } = this.document;
+    if (!this.#solver || !lock || lock.solved) return;
+    const { ball, pocket } = lock;
+    this.#solver({ shot: this.#shot.json(), ball, pockets: [pocket] }, (found) => {
+      // The user may have gone on meanwhile.
+      if (!found || this.document.shot !== shot || this.#session.lock !== lock) return;
+      const strike = changed(shot.strike, { azimuth_deg: azimuthOfAim(found.aim) });
+      const { mode } = this.#session;
+      if (mode !== "aim" || !this.amend({ shot: { ...shot, strike } })) return;
+      this.setSession({ lock: lockOf(ball, pocket, found.aim) });
+    });
   }
 
   /** Changes keys of the strike. */
@@ -188,7 +248,10 @@ export class Store {
     const now = this.document;
     if (!lock || next.shot === now.shot) return [next, lock];
     if (next.game !== now.game) return [next, null];
-    const aimed = steered(lock, [now.shot, next.shot], (shot) => this.#read({ ...next, shot }));
+    const read = (shot: AimedShot) => this.#read({ ...next, shot });
+    // A search of all lines may take many pictures.
+    const near = this.#solver !== null;
+    const aimed = steered(lock, [now.shot, next.shot], read, near);
     return [{ ...next, shot: aimed.shot }, aimed.lock];
   }
 
@@ -250,6 +313,11 @@ const AIMING = {
   playing: false,
   preview: null,
 } as const;
+
+/** A game that begins or is opened ends the analysis of another one. */
+function withoutStudy(next: Document): Document {
+  return next.game && next.study ? { ...next, study: undefined } : next;
+}
 
 /** Whether the engine or the referee must check the document again. */
 function isOtherShot(a: Document, b: Document): boolean {

@@ -1,5 +1,5 @@
 /**
- * Trees of shots as text, in the manner of chess games: `carom-tree/1` (docs/page.md).
+ * Trees of shots as text, in the manner of chess games: `tree/1` (docs/analysis.md).
  *
  *     [Carom "tree/1"]
  *     [Layout {"format": "carom-shot/1", "table": "wpa-9ft", "balls": […]}]
@@ -11,7 +11,7 @@
  * so that they read back to the same bits.
  */
 
-import type { BallEntry, ShotFile, StrikeEntry } from "../../engine/index.ts";
+import type { BallEntry, Engine, ShotFile, StrikeEntry } from "../../engine/index.ts";
 import { PageError } from "../common/refusals.ts";
 import { t } from "../words/translate.ts";
 import type { AimedShot } from "./aimed-shot.ts";
@@ -40,11 +40,28 @@ export function isTreeText(text: string): boolean {
 export function treeToText(tree: Tree): string {
   const parts = [`[Carom "${FORMAT}"]`];
   const roots = childrenOf(tree, null);
-  for (const root of roots) {
-    const layout = { ...root.shot, strike: undefined };
-    parts.push(`[Layout ${JSON.stringify(layout)}]`, line(tree, [root], 1));
+  for (const [layout, nodes] of byLayout(roots)) {
+    parts.push(`[Layout ${layout}]`, line(tree, nodes, 1));
   }
   return `${parts.join("\n")}\n`;
+}
+
+/** The tree with dated names of presets, so that its text keeps their values. */
+export function datedTree(engine: Pick<Engine, "withDatedNames">, tree: Tree): Tree {
+  // Later shots have the table of the first one.
+  const dated = (node: TreeNode) =>
+    node.parent === null ? { ...node, shot: engine.withDatedNames(node.shot) } : node;
+  return { ...tree, nodes: tree.nodes.map(dated) };
+}
+
+/** First shots by their layouts, which are written once each. */
+function byLayout(roots: readonly TreeNode[]): Map<string, TreeNode[]> {
+  const found = new Map<string, TreeNode[]>();
+  for (const root of roots) {
+    const layout = JSON.stringify({ ...root.shot, strike: undefined });
+    found.set(layout, [...(found.get(layout) ?? []), root]);
+  }
+  return found;
 }
 
 /** The first of these shots with its comment, the others as variations, and then what follows the first. */

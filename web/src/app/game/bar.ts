@@ -3,7 +3,7 @@
 import "./game.css";
 import type { FrameState, Seat } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
-import { h, setText } from "../common/dom.ts";
+import { focusWhileScrolling, h, setText } from "../common/dom.ts";
 import { gameName } from "../common/presets.ts";
 import { leave } from "../replay/control.ts";
 import type { Store } from "../document/store.ts";
@@ -14,9 +14,11 @@ import { mountClock } from "./match/clock.ts";
 import { framesWon, raceWinner } from "./match/race.ts";
 import { mountTray } from "./match/tray.ts";
 import { choose, startNext } from "./play.ts";
+import { progressOf } from "./progress.ts";
 import { replayedMove } from "./review/shots.ts";
 import { mountStep } from "./review/step.ts";
 import { isPerson, standing } from "./turn.ts";
+import { closeStudy } from "./variations.ts";
 import {
   choiceInWords,
   isForOne,
@@ -42,7 +44,10 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
   const answers = h("div", { class: "row answers", hidden: true });
   const machine = h("div", { class: "row machine" });
   const step = h("div", { class: "row step" });
-  root.append(score, said, answers, step, machine);
+  const study = h("div", { class: "row study", hidden: true });
+  root.append(score, said, answers, step, machine, study);
+  mountStudy(study, store, context);
+  focusWhileScrolling(root, score, said, answers);
   mountStep(step, store, context);
   const clock = h("div", { class: "shot-clock" });
   root.append(clock);
@@ -52,7 +57,9 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
 
   function show(): void {
     const { game } = store.document;
-    root.hidden = game === null;
+    root.hidden = game === null && !store.document.study;
+    score.hidden = said.hidden = game === null;
+    if (game === null) answers.hidden = true;
     const progress = standing(store, engine);
     if (!game || !progress) return;
     const watching = store.session.mode === "replay";
@@ -104,7 +111,9 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
   store.subscribe((now, before) => {
     const { session, document } = now;
     const isOther = session.mode !== before.session.mode || session.trace !== before.session.trace;
-    if (document.game !== before.document.game || isOther) show();
+    const isOtherGame =
+      document.game !== before.document.game || document.study !== before.document.study;
+    if (isOtherGame || isOther) show();
     // The call follows the aim.
     else if (document.game && document.shot !== before.document.shot) {
       context.loop.input(root, show);
@@ -116,6 +125,26 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
     // After an older shot the replay stays, for a step to another one.
     const isLast = trace === standing(store, engine)?.trace;
     if (document.game && ended && isLast) resting = setTimeout(() => leave(store), REST);
+  });
+  show();
+}
+
+/** While a shot of a game is analysed: which one it is, and the way back. */
+function mountStudy(root: HTMLElement, store: Store, { engine }: Context): void {
+  const text = h("span");
+  const back = answer(t("study.close"), () => closeStudy(store, engine));
+  back.id = "close-study";
+  root.append(text, back);
+  const show = (): void => {
+    const { study } = store.document;
+    root.hidden = !study;
+    const step = study && progressOf(engine, study.game).steps[study.move];
+    if (!study || !step) return;
+    const name = study.game.setup.names[step.player];
+    setText(text, t("study.of", { number: study.move + 1, name }));
+  };
+  store.subscribe((now, before) => {
+    if (now.document.study !== before.document.study) show();
   });
   show();
 }

@@ -1,10 +1,9 @@
 /** The call for the aimed shot: the player's, or the one that fits the aim. */
 
-import type { Call, Engine, Point, ShotRequest, Trace } from "../../engine/index.ts";
+import type { Call, Engine, PocketName, ShotRequest, Trace } from "../../engine/index.ts";
 import { guideOf } from "../document/game.ts";
 import type { Store } from "../document/store.ts";
 import { drawn } from "../pot/magnet.ts";
-import { pocketAt } from "../pot/pockets.ts";
 import { askedShot } from "./turn.ts";
 import { t } from "../words/translate.ts";
 
@@ -80,11 +79,9 @@ export function tapBall(store: Store, engine: Engine, ball: string): void {
 }
 
 /** Calls the tapped pocket if the game requests it. @returns Whether a pocket was called. */
-export function tapPocket(store: Store, engine: Engine, point: Point): boolean {
+export function tapPocket(store: Store, engine: Engine, into: PocketName | null): boolean {
   const asked = askedShot(store, engine);
-  if (!asked?.calls.includes("pocket")) return false;
-  const into = pocketAt(store.shot, point);
-  if (!into) return false;
+  if (!into || !asked?.calls.includes("pocket")) return false;
   const { call } = store.document.game!;
   const ball = call?.kind === "pocket" ? call.ball : undefined;
   announceCall(store, { kind: "pocket", ...(ball !== undefined && { ball }), into });

@@ -18,8 +18,12 @@ import { mountCostliest } from "./review/costliest.ts";
 import { isShot, replayMove } from "./review/shots.ts";
 import { handOf } from "./referee.ts";
 import { mountSetup } from "./setup/setup.ts";
+import { countVariations, openStudy } from "./variations.ts";
 import { callInWords, isForOne, rulingInWords } from "./words.ts";
 import { t } from "../words/translate.ts";
+
+/** A line that branches. */
+const BRANCH_ICON = "M7 4v16M7 15c0-5 9-3 9-9M13 8l3-3 3 3";
 
 export function mountGame(root: HTMLElement, store: Store, context: Context): void {
   const setup = h("div");
@@ -140,6 +144,18 @@ function mountSheet(root: HTMLElement, store: Store, context: Context): void {
       },
       icon("M8 5.5v13l10-6.5z"),
     );
+  const studyButton = (index: number) =>
+    h(
+      "button",
+      {
+        type: "button",
+        class: "button plain again",
+        "aria-label": t("study.open-move", { number: index + 1 }),
+        title: t("study.open-move", { number: index + 1 }),
+        onclick: () => openStudy(store, context.engine, index),
+      },
+      icon(BRANCH_ICON),
+    );
   root.append(heading, list, h("div", { class: "row" }, watch, give, end));
 
   const show = (): void => {
@@ -156,6 +172,8 @@ function mountSheet(root: HTMLElement, store: Store, context: Context): void {
         rulingInWords(step, game.setup.names),
         called(step),
         isShot(step) && replayButton(index),
+        isShot(step) && studyButton(index),
+        tried(game.variations?.[index]),
       ),
     );
     list.replaceChildren(...items.reverse());
@@ -166,6 +184,12 @@ function mountSheet(root: HTMLElement, store: Store, context: Context): void {
     }
   });
   show();
+}
+
+/** How many variations a shot has. */
+function tried(text: string | undefined): HTMLElement | false {
+  const count = countVariations(text);
+  return count > 0 && h("span", { class: "hint" }, t("study.count", { count }));
 }
 
 /** The called ball and pocket, or the nominated ball. The ruling mentions other calls. */

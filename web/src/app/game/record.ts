@@ -1,15 +1,60 @@
 /** Games of the page as records of frames, `carom-frame/1`, and back. */
 
-import type { Engine, FrameRecord } from "../../engine/index.ts";
+import { CaromError, type Engine, type FrameRecord } from "../../engine/index.ts";
+import { errorText, PageError } from "../common/refusals.ts";
+import { treeEngine } from "../document/after.ts";
 import type { Document } from "../document/document.ts";
-import type { Game } from "../document/game.ts";
+import { treeFromText } from "../document/tree-text.ts";
+import type { Game, Variations } from "../document/game.ts";
 import { firstAim } from "./aim.ts";
 import { progressOf } from "./progress.ts";
 import { t } from "../words/translate.ts";
 
-/** The record of a game. It has every move, but not the names of the players. */
+/**
+ * The record of a game. It has every move with its variations, but not the names of the players. The engine
+ * passes over the variations.
+ */
 export function recordOf(engine: Engine, game: Game): FrameRecord {
+  const { record } = progressOf(engine, game).frame;
+  const moves = record.moves.map((move, index) => {
+    const variations = game.variations?.[index];
+    return variations !== undefined && "play" in move ? { ...move, variations } : move;
+  });
+  return { ...record, moves };
+}
+
+/** The record without variations, for programs. */
+export function plainRecordOf(engine: Engine, game: Game): FrameRecord {
   return progressOf(engine, game).frame.record;
+}
+
+/**
+ * The variations of a record, by the index of the move in the frame.
+ *
+ * @throws CaromError that names the move, if they cannot be read.
+ */
+function variationsOf(
+  engine: Engine,
+  record: FrameRecord,
+  moves: FrameRecord["moves"],
+): Variations {
+  // A frame leaves out choices that it applies itself, but no play.
+  const plays = moves.flatMap((move, index) => ("play" in move ? [index] : []));
+  const found = record.moves.flatMap((move, index) => ("play" in move ? [{ move, index }] : []));
+  const entries = found.flatMap(({ move, index }, k): [number, string][] => {
+    const text: unknown = move.variations;
+    if (text === undefined) return [];
+    try {
+      if (typeof text !== "string") throw new PageError(t("tree.no-text"), "");
+      treeFromText(text, treeEngine(engine));
+    } catch (error) {
+      if (!(error instanceof CaromError)) throw error;
+      const place = `moves[${index}].variations`;
+      throw new PageError(t("study.refused", { number: index + 1, why: errorText(error) }), place);
+    }
+    return [[plays[k]!, text]];
+  });
+  return Object.fromEntries(entries);
 }
 
 /**
@@ -22,6 +67,7 @@ export function gameOfRecord(engine: Engine, record: FrameRecord): Pick<Document
   // Written again, so that records of other programs have the form of this page.
   const { setup, moves } = frame.record;
   frame.free();
+  const variations = variationsOf(engine, record, moves);
   const { game: rules, ...rest } = setup;
   const { shot: from = null, ...options } = "shot" in rest ? rest : { ...rest, shot: undefined };
   const names = [t("setup.player", { number: 1 }), t("setup.player", { number: 2 })] as const;
@@ -29,6 +75,7 @@ export function gameOfRecord(engine: Engine, record: FrameRecord): Pick<Document
     setup: { rules, options, from, names, skills: [null, null] },
     moves,
     call: null,
+    ...(Object.keys(variations).length > 0 && { variations }),
   };
   return { game, shot: firstAim(engine, game, progressOf(engine, game)) };
 }

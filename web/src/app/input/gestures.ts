@@ -2,12 +2,13 @@
  * Mouse, pen and touch on the table. A drag on the cloth turns the cue, which clicks into pots; a drag of
  * a ball moves it, and a drag of the place where the cue ball stops changes the stroke. A tap on the cloth
  * aims there, a tap on a ball selects it, and a tap on a pocket then aims the ball at it. A press on the cue
- * and a pull shoot. With the free camera a drag on the cloth turns the
+ * and a pull shoot. A finger that rests has a loupe. With the free camera a drag on the cloth turns the
  * camera; the viewer handles that, several fingers, and the other buttons.
  */
 
-import type { Point } from "../../engine/index.ts";
+import type { PocketName, Point } from "../../engine/index.ts";
 import { dragStop, dropStop, stopOf } from "../analyse/stop.ts";
+import { aimAtPocket } from "../analyse/pot.ts";
 import { hidePreview } from "../analyse/preview.ts";
 import { removeBall } from "../document/layout.ts";
 import { FINE } from "../document/strike.ts";
@@ -16,10 +17,10 @@ import { azimuthTo, sweep } from "../common/angles.ts";
 import type { Context } from "../common/context.ts";
 import { announceCall, tapBall, tapPocket } from "../game/calling.ts";
 import { ballName } from "../common/words.ts";
-import { aimAtPocket, isObjectBall, turnTo } from "../pot/aim.ts";
-import { pocketAt } from "../pot/pockets.ts";
+import { isObjectBall, turnTo } from "../pot/aim.ts";
 import { dragBall, isBeside } from "../layout/drag.ts";
 import type { Store } from "../document/store.ts";
+import { Loupe } from "./loupe.ts";
 import { Stroke } from "./stroke.ts";
 import { t } from "../words/translate.ts";
 
@@ -62,6 +63,7 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
   const down = new Set<number>();
   let drag: Drag | null = null;
   const stroke = new Stroke(store, context);
+  const loupe = new Loupe(viewer);
   /** The pointer that holds the cue. */
   let striking: number | null = null;
 
@@ -100,6 +102,8 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
       moved: false,
     };
     canvas.setPointerCapture(event.pointerId);
+    const turnsCamera = ball === null && store.view.camera === "orbit";
+    if (store.session.mode === "aim" && !turnsCamera) loupe.press(event);
     viewer.controls = !drag.stop && (ball === null || store.session.mode === "replay");
   };
   canvas.addEventListener("pointerdown", press, { capture: true });
@@ -112,6 +116,7 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     } else if (drag?.pointer === event.pointerId) {
       const held = drag;
       loop.input(canvas, () => {
+        loupe.move(event);
         move(held, event);
       });
     } else if (event.pointerType === "mouse" && event.buttons === 0) {
@@ -140,6 +145,11 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     end();
   });
 
+  // A long press of a finger would open a menu over the loupe.
+  canvas.addEventListener("contextmenu", (event) => {
+    if (drag?.type === "touch") event.preventDefault();
+  });
+
   canvas.addEventListener("pointercancel", (event) => {
     down.delete(event.pointerId);
     if (drag?.pointer !== event.pointerId && striking !== event.pointerId) return;
@@ -148,6 +158,7 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
   });
 
   function end(): void {
+    loupe.release();
     if (!drag && striking === null) return;
     stroke.cancel();
     drag = null;
@@ -248,13 +259,14 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
   }
 
   /** Aims the selected ball at the tapped pocket; in a game, calls them too. */
-  function aimAtTapped(point: Point): boolean {
-    const pocket = pocketAt(store.shot, point);
+  function aimAtTapped(pocket: PocketName | null): boolean {
     const { selected } = store.session;
     if (pocket === null || !isObjectBall(store, selected)) return false;
     // Where a line is found, the call follows the aim.
-    if (aimAtPocket(store, context, selected, pocket)) announceCall(store, null);
-    else tapPocket(store, context.engine, point);
+    aimAtPocket(store, context, selected, pocket, (isFound) => {
+      if (isFound) announceCall(store, null);
+      else tapPocket(store, context.engine, pocket);
+    });
     return true;
   }
 
@@ -266,10 +278,11 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
       if (store.session.mode === "aim") tapBall(store, context.engine, id);
       return;
     }
-    const { point } = pointOf(event);
+    const { point, pocket } = viewer.hit(event.clientX, event.clientY, event.pointerType);
     const struck = store.shot.struck;
     if (!point || struck === null || store.session.mode === "replay") return;
-    if (aimAtTapped(point) || tapPocket(store, context.engine, point)) return;
+    const tapped = pocket as PocketName | null;
+    if (aimAtTapped(tapped) || tapPocket(store, context.engine, tapped)) return;
     const [x, y] = ballAt(struck).position;
     store.strike({ azimuth_deg: azimuthTo([x, y], point) }, t("change.aim"), held.group);
   }

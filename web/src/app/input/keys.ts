@@ -4,7 +4,7 @@ import { shoot, takeItFromHere } from "../aim/shoot.ts";
 import type { Context } from "../common/context.ts";
 import type { Camera } from "../document/document.ts";
 import { aimAt, FINE, turn } from "../document/strike.ts";
-import { aimAtNextPocket } from "../pot/aim.ts";
+import { aimAtNextPocket } from "../analyse/pot.ts";
 import { redo, undo } from "../document/undo.ts";
 import { leave, stepBackwards, stepForwards, togglePlaying } from "../replay/control.ts";
 import type { Store } from "../document/store.ts";

@@ -6,9 +6,9 @@ import { PageError } from "../common/refusals.ts";
 import type { Document, View } from "../document/document.ts";
 import { aimed } from "../document/file.ts";
 import { treeEngine } from "../document/after.ts";
-import type { Tree, TreeNode } from "../document/tree.ts";
-import { treeFromText } from "../document/tree-text.ts";
-import type { Setup } from "../document/game.ts";
+import type { Tree } from "../document/tree.ts";
+import { datedTree, treeFromText } from "../document/tree-text.ts";
+import type { Game, Setup } from "../document/game.ts";
 import type { State, Store } from "../document/store.ts";
 import { isLevel } from "../game/machine/levels.ts";
 import { standing } from "../game/turn.ts";
@@ -61,18 +61,40 @@ function checked(engine: Engine, state: LinkState): LinkContents {
   const { shot, noise, seed, game, view, time } = state;
   engine.shot(shot).free();
   if (noise) engine.checkNoise(noise);
-  for (const skill of game?.setup.skills ?? []) {
+  const treeOf = (text: string | null) =>
+    text === null ? undefined : treeFromText(text, treeEngine(engine));
+  const document = {
+    shot: aimed(shot),
+    noise,
+    seed,
+    game: game && checkedGame(engine, game),
+    tree: treeOf(state.tree),
+    study: state.study
+      ? {
+          ...state.study,
+          game: checkedGame(engine, state.study.game),
+          shot: aimed(state.study.shot),
+          tree: treeOf(state.study.tree),
+        }
+      : undefined,
+  };
+  referee(engine).shot(document.shot, game).free();
+  const { study } = document;
+  if (study) referee(engine).shot(study.shot, study.game).free();
+  return { document, view, time };
+}
+
+/** @throws CaromError if there is no such level of play. */
+function checkedGame(engine: Engine, game: Game): Game {
+  for (const skill of game.setup.skills) {
     if (skill === null || Object.hasOwn(engine.noisePresets, skill)) continue;
     throw new PageError(t("refused.level", { level: skill }), "game.setup.skills");
   }
-  for (const level of game?.setup.machines ?? []) {
+  for (const level of game.setup.machines ?? []) {
     if (level === null || isLevel(level)) continue;
     throw new PageError(t("refused.level", { level }), "game.setup.machines");
   }
-  const tree = state.tree === null ? undefined : treeFromText(state.tree, treeEngine(engine));
-  const document = { shot: aimed(shot), noise, seed, game, tree };
-  referee(engine).shot(document.shot, game).free();
-  return { document, view, time };
+  return game;
 }
 
 /**
@@ -97,17 +119,22 @@ export function linkText(store: Store, engine: Engine, state: State = store.stat
 
 /** The fragment for a state. Presets have dated names, so that the link keeps their values. */
 function fragment(engine: Engine, shot: Shot, state: State): string {
-  const { game } = state.document;
-  const dated = game && { ...game, setup: datedSetup(engine, game.setup) };
-  const document = { ...state.document, game: dated, tree: datedTree(engine, state.document.tree) };
+  const { game, tree, study } = state.document;
+  const datedGame = <G extends Game | null>(one: G) =>
+    one && { ...one, setup: datedSetup(engine, one.setup) };
+  const ofTree = (one: Tree | undefined) => one && datedTree(engine, one);
+  const document = {
+    ...state.document,
+    game: datedGame(game),
+    tree: ofTree(tree),
+    study: study && {
+      ...study,
+      game: datedGame(study.game),
+      shot: engine.withDatedNames(study.shot),
+      tree: ofTree(study.tree),
+    },
+  };
   return stateToFragment(engine.withDatedNames(shot.file), { ...state, document });
-}
-
-function datedTree(engine: Engine, tree: Tree | undefined): Tree | undefined {
-  // Later shots have the table of the first one.
-  const dated = (node: TreeNode) =>
-    node.parent === null ? { ...node, shot: engine.withDatedNames(node.shot) } : node;
-  return tree && { ...tree, nodes: tree.nodes.map(dated) };
 }
 
 function datedSetup(engine: Engine, setup: Setup): Setup {

@@ -4,7 +4,7 @@ import "./menu.css";
 import type { Engine, FrameRecord } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { type Child, h, icon, setText, uniqueId } from "../common/dom.ts";
-import { recordOf } from "../game/record.ts";
+import { plainRecordOf, recordOf } from "../game/record.ts";
 import type { Store } from "../document/store.ts";
 import { isLocal, link, linkText } from "./address.ts";
 import { copy } from "./clipboard.ts";
@@ -54,7 +54,10 @@ export function mountShare(root: HTMLElement, store: Store, context: Context): v
     "div",
     { class: "row", id: "share-game" },
     action(t("share.game-python"), "copy-game-python", () =>
-      copier.copy(gameProgram(record()), t("share.game-copied")),
+      copier.copy(
+        gameProgram(plainRecordOf(context.engine, store.document.game!)),
+        t("share.game-copied"),
+      ),
     ),
     action(t("share.record"), "download-record", () =>
       download(`${toPrettyJson(record())}\n`, "frame.json"),

@@ -38,7 +38,7 @@ export function mountReload(store: Store, engine: Engine): void {
 }
 
 /** Whether the page was loaded again, not opened at an address. */
-function isReload(): boolean {
+export function isReload(): boolean {
   const [entry] = performance.getEntriesByType("navigation");
   return (entry as PerformanceNavigationTiming | undefined)?.type === "reload";
 }

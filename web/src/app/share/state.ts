@@ -7,6 +7,7 @@ import { type Game, GUIDES, LONGEST_NAME } from "../document/game.ts";
 import type { State } from "../document/store.ts";
 import { LONGEST_RACE } from "../game/match/race.ts";
 import { fromFragment, isLink, LinkError, toFragment } from "./link.ts";
+import type { Tree } from "../document/tree.ts";
 import { treeToText } from "../document/tree-text.ts";
 import { t } from "../words/translate.ts";
 
@@ -18,9 +19,19 @@ export interface LinkState {
   readonly game: Game | null;
   /** The tree of the analysis as text; null: none. */
   readonly tree: string | null;
+  /** The shot of a game that is analysed; null: none. */
+  readonly study: LinkStudy | null;
   readonly view: View;
   /** Time of the replay (s); null while aiming. */
   readonly time: number | null;
+}
+
+/** The analysis of a shot of a game, as in the document, with its tree as text. */
+export interface LinkStudy {
+  readonly game: Game;
+  readonly move: number;
+  readonly shot: ShotFile;
+  readonly tree: string | null;
 }
 
 /** The settings of a view; a link leaves out the first choice of each. */
@@ -59,10 +70,17 @@ export function stateToFragment(shot: ShotFile, { document, view, session }: Sta
     ...(document.noise && { noise: document.noise }),
     ...(document.seed !== 0 && { seed: document.seed }),
     ...(document.game && { game: document.game }),
-    ...(document.tree && document.tree.nodes.length > 0 && { tree: treeToText(document.tree) }),
+    ...treeText(document.tree),
+    ...(document.study && {
+      study: { ...document.study, tree: null, ...treeText(document.study.tree) },
+    }),
     ...(changed.length > 0 && { view: Object.fromEntries(changed.map((key) => [key, view[key]])) }),
     ...(session.mode === "replay" && { time: session.time }),
   });
+}
+
+function treeText(tree: Tree | undefined): { readonly tree?: string } {
+  return tree && tree.nodes.length > 0 ? { tree: treeToText(tree) } : {};
 }
 
 /**
@@ -80,6 +98,7 @@ export function stateFromFragment(fragment: string): LinkState | null {
     seed: seedOf(data.seed),
     game: gameOf(data.game),
     tree: treeOf(data.tree),
+    study: studyOf(data.study),
     view: viewOf(data.view),
     time: timeOf(data.time),
   };
@@ -120,6 +139,32 @@ function treeOf(tree: unknown = null): string | null {
   throw broken("tree", tree, "write a tree as text");
 }
 
+function studyOf(data: unknown): LinkStudy | null {
+  if (data === undefined) return null;
+  if (isRecord(data) && isRecord(data.shot)) {
+    const game = gameOf(data.game);
+    const { move, shot } = data;
+    if (game && isWhole(move, 0, game.moves.length - 1)) {
+      return {
+        game,
+        move: move as number,
+        shot: shot as unknown as ShotFile,
+        tree: treeOf(data.tree),
+      };
+    }
+  }
+  throw new LinkError(t("link.game"));
+}
+
+function isVariations(data: unknown, moves: number): boolean {
+  return (
+    isRecord(data) &&
+    Object.entries(data).every(
+      ([move, tree]) => isWhole(Number(move), 0, moves - 1) && isText(tree),
+    )
+  );
+}
+
 /** Checks a game's structure; the referee checks whether its moves are allowed. */
 function gameOf(data: unknown): Game | null {
   if (data === undefined || data === null) return null;
@@ -142,6 +187,7 @@ function gameOf(data: unknown): Game | null {
       (race === undefined || isRace(race)) &&
       (clock === undefined || isWhole(clock, 5, 600)) &&
       (data.extended === undefined || isPair(data.extended, (used) => typeof used === "boolean")) &&
+      (data.variations === undefined || isVariations(data.variations, data.moves.length)) &&
       (data.here === undefined || data.here === 0 || data.here === 1) &&
       (data.call === null || isCall(data.call)) &&
       data.moves.every(isMove);

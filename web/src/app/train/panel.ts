@@ -7,6 +7,7 @@ import type { Store } from "../document/store.ts";
 import { mountDetail } from "./detail.ts";
 import { mountOverview } from "./overview.ts";
 import type { Page, Trainer } from "./parts.ts";
+import { mountKept } from "./kept.ts";
 import { Practice } from "./practice.ts";
 import { browserBox, Keeper } from "./progress/keeper.ts";
 import { mountRun } from "./run.ts";
@@ -58,6 +59,7 @@ export function mountTrain(root: HTMLElement, store: Store, context: Context): v
       show(false);
     }
   });
+  mountKept(practice, store, context.engine);
   show(false);
 }
 

@@ -10,7 +10,7 @@ import type { State, Store } from "../document/store.ts";
 import { leave } from "../replay/control.ts";
 import { paragraph, t } from "../words/translate.ts";
 import { markedAreas } from "./areas.ts";
-import type { Drill } from "./drills/index.ts";
+import { type Drill, drillOf } from "./drills/index.ts";
 import { judge, restOf, type Verdict } from "./judge.ts";
 import { type Deviation, deviation, layoutOf, type Setting } from "./layout.ts";
 import { clothOf } from "./places.ts";
@@ -59,6 +59,15 @@ interface OnPage {
   /** The deviation of which the panel knows. */
   deviation: Deviation | null;
   timer: ReturnType<typeof setTimeout> | undefined;
+}
+
+/** What a reload of the page keeps of a drill or puzzle in progress: plain values. */
+export interface KeptPractice {
+  readonly running: Omit<Running, "drill"> & { readonly drill: string };
+  /** Null at a real table. */
+  readonly page: Pick<OnPage, "set" | "seed"> | null;
+  /** Whether the attempt was on the screen. */
+  readonly shown: boolean;
 }
 
 export class Practice {
@@ -125,6 +134,38 @@ export class Practice {
   startAtTable(drill: Drill): void {
     this.leave();
     this.#begin(drill, "table", null, null);
+  }
+
+  /**
+   * What a reload keeps, and the document before the drill; null if nothing is practised. A shot whose
+   * replay has not ended counts now.
+   */
+  keep(): { readonly kept: KeptPractice; readonly before: Document | null } | null {
+    if (!this.#running) return null;
+    if (this.#page && this.#page.verdict !== null) this.#pronounce(this.#page, false);
+    if (this.#page) leave(this.#store);
+    const { drill, ...running } = this.#running;
+    const page = this.#page && { set: this.#page.set, seed: this.#page.seed };
+    const shown = this.#store.session.activity === "train";
+    const kept = { running: { ...running, drill: drill.id }, page, shown };
+    return { kept, before: this.#page?.before ?? null };
+  }
+
+  /** Goes on with what a reload has kept. */
+  resume({ running, page, shown }: KeptPractice, before: Document | null): void {
+    const drill = running.puzzle?.drill ?? drillOf(running.drill);
+    if (!drill || (page && !before)) return;
+    this.#running = { ...running, drill };
+    this.#page = page && {
+      ...page,
+      before: before!,
+      verdict: null,
+      next: null,
+      deviation: null,
+      timer: undefined,
+    };
+    if (shown) this.#store.setSession({ activity: "train" });
+    this.#changed();
   }
 
   /** Ends the drill; on the page's table the document before it comes back. */

@@ -213,3 +213,23 @@ test("the interval of a chance is Wilson's", () => {
   expect(high).toBeCloseTo(0.3958, 3);
   expect(interval(0, 10)[0]).toBe(0);
 });
+
+describe("a pot", () => {
+  const question = { kind: "pot", shot: engine.shot(FILE).json(), ball: "9" } as const;
+
+  test("is searched for the first pocket that a line reaches", () => {
+    const aims = engine.shot(FILE).geometry.pockets.map(({ name }) => name);
+    const reached = aims.filter((name) => engine.shot(FILE).potAim("9", name) !== null);
+    const missed = aims.filter((name) => !reached.includes(name));
+    const pockets = [...missed, ...reached];
+    const { found } = last({ ...question, pockets });
+    expect(found!.pocket).toBe(reached[0]);
+    expect(found!.aim).toEqual(engine.shot(FILE).potAim("9", reached[0]!));
+  });
+
+  test("has no line with too soft a stroke", () => {
+    const soft = { ...FILE, strike: { ...FILE.strike!, speed: 0.05 } };
+    const shot = engine.shot(soft).json();
+    expect(last({ ...question, shot, pockets: ["top-right"] }).found).toBeNull();
+  });
+});

@@ -1,7 +1,12 @@
 import { describe, expect, test, vi } from "vitest";
 import { CaromError, load, type Engine } from "../../../src/engine/index.ts";
 import { documentOf } from "../../../src/app/document/file.ts";
-import { Store } from "../../../src/app/document/store.ts";
+import {
+  type FoundPot,
+  type PotQuestion,
+  type PotSolver,
+  Store,
+} from "../../../src/app/document/store.ts";
 import { makeElevationAutomatic } from "../../../src/app/document/strike.ts";
 
 const engine: Engine = await load();
@@ -167,4 +172,49 @@ test("listeners receive every change once, with the previous state", () => {
     [1, 80],
     [1, 1],
   ]);
+});
+
+describe("a pot whose line a change has lost", () => {
+  type Ask = Parameters<PotSolver>;
+
+  /** A page whose solver waits, and a locked pot that a soft stroke and then a firm one have lost. */
+  function lost() {
+    const asked: Ask[] = [];
+    const store = fresh();
+    store.solvePotsWith((...ask) => asked.push(ask));
+    expect(store.aimAtPocket("1", "top-right", "pot")).toBe(true);
+    store.strike({ speed: 0.2 }, "soft", "drag");
+    store.settle();
+    store.strike({ speed: 3, side: 0.5 }, "firm", "power");
+    expect(store.session.lock!.solved).toBe(false);
+    return { store, asked };
+  }
+  const answerOf = ({ shot, ball, pockets }: PotQuestion): FoundPot => {
+    const aim = engine.shot(shot).potAim(ball, pockets[0]!)!;
+    return { pocket: pockets[0]!, aim };
+  };
+
+  test("is aimed again when the solver has found a line, in the same step of the history", () => {
+    const { store, asked } = lost();
+    const [question, answer] = asked.at(-1)!;
+    expect(question.pockets).toEqual(["top-right"]);
+    answer(answerOf(question));
+    expect(store.session.lock!.solved).toBe(true);
+    expect(store.ghost.trace!.outcome.pocketed).toContainEqual(["1", "top-right"]);
+    store.strike({ speed: 3.1 }, "firm", "power");
+    store.undo();
+    expect(store.document.shot.strike.speed).toBe(0.2);
+  });
+
+  test("stays as it is if the answer comes too late, or there is no line", () => {
+    const { store, asked } = lost();
+    const [question, answer] = asked.at(-1)!;
+    answer(null);
+    expect(store.session.lock!.solved).toBe(false);
+    store.strike({ azimuth_deg: 12 }, "aim");
+    const before = store.document;
+    answer(answerOf(question));
+    expect(store.document).toBe(before);
+    expect(store.session.lock).toBeNull();
+  });
 });

@@ -51,6 +51,7 @@ describe("the state in a link", () => {
       seed: 0,
       game: null,
       tree: null,
+      study: null,
       view: FIRST_VIEW,
       time: null,
     });
@@ -68,6 +69,7 @@ describe("the state in a link", () => {
       noise,
       seed: 12345,
       tree: null,
+      study: null,
       game,
       view,
       time: 1.234567890123456,

@@ -10,6 +10,7 @@ import type {
   ShotFile,
   Strike,
 } from "../../../engine/index.ts";
+import type { FoundPot, PotQuestion } from "../../document/store.ts";
 
 /** How often a strike does what it is meant to do. */
 export interface ChanceJob {
@@ -82,11 +83,16 @@ export interface Leg {
   readonly stops: readonly Point[];
 }
 
-export type Job = ChanceJob | LeaveJob | ZoneJob | PlanJob;
+/** The first of some pockets into which a ball can be potted with the strike of a shot. */
+export type PotJob = { readonly kind: "pot" } & PotQuestion;
+
+export type Job = ChanceJob | LeaveJob | ZoneJob | PlanJob | PotJob;
 
 /** What a job gives, perhaps several times. */
 export interface Parts {
   readonly chance: ChancePart;
+  /** Null if there is no line. */
+  readonly pot: { readonly found: FoundPot | null };
   /** Null if no strike pots the ball. */
   readonly leave: { readonly aim: LeaveAim | null };
   /** Chances per cell, row by row from the bottom left; `share` of the cells is done. */

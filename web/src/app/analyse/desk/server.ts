@@ -7,6 +7,7 @@ import { nextTask } from "../../../engine/next-task.ts";
 import { chance } from "./chance.ts";
 import { leave } from "./leave.ts";
 import { plan } from "./plan.ts";
+import { pot } from "./pot.ts";
 import type { FromDesk, Job, Parts, ToDesk } from "./protocol.ts";
 import { zone } from "./zone.ts";
 
@@ -55,6 +56,8 @@ export function steps(engine: Engine, job: Job): Generator<Parts[keyof Parts] | 
   switch (job.kind) {
     case "chance":
       return chance(engine, job);
+    case "pot":
+      return pot(engine, job);
     case "leave":
       return leave(engine, job);
     case "zone":

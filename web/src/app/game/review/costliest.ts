@@ -10,6 +10,7 @@ import type { Game } from "../../document/game.ts";
 import type { Store } from "../../document/store.ts";
 import { percent } from "../machine/explain.ts";
 import { thinkerOf } from "../machine/thinker.ts";
+import { openStudy } from "../variations.ts";
 import { isForOne } from "../words.ts";
 import { standing } from "../turn.ts";
 import { type Cost, costsOf } from "./costs.ts";
@@ -82,7 +83,7 @@ export function mountCostliest(root: HTMLElement, store: Store, context: Context
         "div",
         { class: "row" },
         button(t("costs.open"), () => {
-          store.apply({ game: null, shot: aimed(position.file) }, t("change.open-position"));
+          openStudy(store, engine, index, aimed(engine.withDatedNames(position.file)));
         }),
       ),
     );

@@ -4,6 +4,7 @@ import type { Context } from "../../common/context.ts";
 import { h, icon, setText } from "../../common/dom.ts";
 import type { Store } from "../../document/store.ts";
 import { standing } from "../turn.ts";
+import { openStudy } from "../variations.ts";
 import { isShot, neighbour, replayedMove, replayMove } from "./shots.ts";
 import { t } from "../../words/translate.ts";
 
@@ -30,7 +31,19 @@ export function mountStep(root: HTMLElement, store: Store, context: Context): vo
   const back = button(t("review.previous"), "M15 5l-7 7 7 7", -1);
   const on = button(t("review.next"), "M9 5l7 7-7 7", 1);
   const text = h("span", { role: "status" });
-  root.append(back, text, on);
+  const study = h(
+    "button",
+    {
+      type: "button",
+      class: "button",
+      onclick: () => {
+        const index = replayedMove(store, engine);
+        if (index !== null) openStudy(store, engine, index);
+      },
+    },
+    t("study.open"),
+  );
+  root.append(back, text, on, study);
 
   const show = (): void => {
     const progress = standing(store, engine);

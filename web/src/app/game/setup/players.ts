@@ -20,6 +20,9 @@ export interface Players {
 /** Value of the list entry for a friend at another page. */
 const FRIEND = "friend";
 
+/** The second player at first: the level of a club player. */
+const USUAL_OPPONENT: (typeof LEVELS)[number] = "level-3";
+
 interface Row {
   readonly name: HTMLInputElement;
   readonly by: HTMLSelectElement;
@@ -85,6 +88,8 @@ export function mountPlayers(
       show();
     });
   });
+  // Somebody alone wants an opponent.
+  setTo(rows[1].by, USUAL_OPPONENT);
   return {
     show: (shown) => {
       rules = shown;

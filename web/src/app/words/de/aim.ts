@@ -76,4 +76,17 @@ export const aim: Translation<typeof en.aim> = {
   "aim.guides": "Tangente und natürlicher Winkel",
   "aim.guides-hint":
     "Hinter der Geisterkugel: wohin ein gleitender Spielball läuft, und wohin ein rollender.",
+
+  "aim.diamonds": "Diamantsystem",
+  "aim.diamonds-hint":
+    "Für einen Vorbänder oder die Bande eines Balls: die Zahlen eines veröffentlichten Systems, wo die Linie die Diamanten kreuzt, sein Ziel (Ring) und wo der Ball ankommt (Punkt).",
+
+  "diamonds.corner-five": "Corner-Five: {from} − {over} = {predicted}.",
+  "diamonds.plus": "Plus-System: {from} + {over} = {predicted}.",
+  "diamonds.two-to-one": "Zwei zu eins: 2 × {over} − {from} = {predicted}.",
+  "diamonds.actual": "{said} Der Ball kommt bei {actual} an: {difference} Diamanten daneben.",
+  "diamonds.equal": "{said} Der Ball kommt dort an.",
+  "diamonds.not-there": "{said} Der Ball kommt nicht dorthin.",
+  "diamonds.none":
+    "Zu dieser Linie passt kein Diamantsystem: Zielen Sie über eine, zwei oder drei Banden.",
 };

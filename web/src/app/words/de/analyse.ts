@@ -104,6 +104,9 @@ export const analyse: Translation<typeof en.analyse> = {
   "tree.title": "Stöße dieser Analyse",
   "tree.empty":
     "Jeder Stoß, den Sie hier spielen, bleibt erhalten: Gehen Sie zu ihm zurück, spielen Sie einen anderen von derselben Lage, schreiben Sie einen Kommentar. „Von hier weiter“ setzt eine Folge fort.",
+  "tree.of-move": "Varianten von Zug {number}",
+  "tree.played": "Gespielt: {text}",
+  "tree.no-text": "Die Varianten sind kein Text",
   "tree.shot": "Der gewählte Stoß",
   "tree.comment": "Kommentar",
   "tree.replay": "Ansehen",

@@ -65,6 +65,19 @@ export const play: Translation<typeof en.play> = {
   "costs.shot": "Zug {number}, {name}: von {before} % auf {after} %.",
   "costs.better": "Besser: {play}.",
   "costs.open": "Lage öffnen",
+  "change.close-position": "zurück zum Spiel",
+
+  "study.open": "Analysieren",
+  "study.open-move": "Zug {number} analysieren",
+  "study.of":
+    "Zug {number} des Spiels, von {name}: Die Stöße, die Sie hier versuchen, sind seine Varianten.",
+  "study.close": "Zurück zum Spiel",
+  "study.count": {
+    one: " {count} Variante",
+    other: " {count} Varianten",
+  },
+  "study.no-shot": "Dieser Zug ist kein Stoß.",
+  "study.refused": "Varianten von Zug {number}: {why}",
   "change.open-position": "Lage öffnen",
 
   "setup.friend": "Ein Freund, per Link",

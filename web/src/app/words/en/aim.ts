@@ -73,4 +73,16 @@ export const aim = {
   "aim.guides": "Tangent line and natural angle",
   "aim.guides-hint":
     "Behind the ghost ball: where a cue ball goes that slides, and where one goes that rolls.",
+
+  "aim.diamonds": "Diamond system",
+  "aim.diamonds-hint":
+    "For a kick, or the bank of a ball: the numbers of a published system where the line crosses the diamonds, its target (ring), and where the ball arrives (dot).",
+
+  "diamonds.corner-five": "Corner five: {from} − {over} = {predicted}.",
+  "diamonds.plus": "Plus system: {from} + {over} = {predicted}.",
+  "diamonds.two-to-one": "Two to one: 2 × {over} − {from} = {predicted}.",
+  "diamonds.actual": "{said} The ball arrives at {actual}: {difference} diamonds beside it.",
+  "diamonds.equal": "{said} The ball arrives there.",
+  "diamonds.not-there": "{said} The ball does not get there.",
+  "diamonds.none": "No diamond system fits this line: aim over one, two or three cushions.",
 } as const;

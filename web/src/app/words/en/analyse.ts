@@ -100,6 +100,9 @@ export const analyse = {
   "tree.title": "Shots of this analysis",
   "tree.empty":
     "Every shot that you play here is kept: go back to it, play another one from the same place, comment it. “Take it from here” continues a line.",
+  "tree.of-move": "Variations of move {number}",
+  "tree.played": "As played: {text}",
+  "tree.no-text": "the variations are not a text",
   "tree.shot": "The selected shot",
   "tree.comment": "Comment",
   "tree.replay": "Watch it",

@@ -64,6 +64,19 @@ export const play = {
   "costs.better": "Better: {play}.",
   "costs.open": "Open the position",
   "change.open-position": "open the position",
+  "change.close-position": "return to the game",
+
+  "study.open": "Analyse",
+  "study.open-move": "Analyse move {number}",
+  "study.of":
+    "Move {number} of the game, by {name}: the shots that you try here are its variations.",
+  "study.close": "Back to the game",
+  "study.count": {
+    one: " {count} variation",
+    other: " {count} variations",
+  },
+  "study.no-shot": "This move is not a shot.",
+  "study.refused": "Variations of move {number}: {why}",
 
   "setup.friend": "A friend, by link",
   "friend.theirs": "{name} plays on another device.",

@@ -72,4 +72,16 @@ export const aim: Translation<typeof en.aim> = {
 
   "aim.guides": "切线与自然角",
   "aim.guides-hint": "假想球之后：滑动的母球走向哪里，滚动的母球走向哪里。",
+
+  "aim.diamonds": "颗星系统",
+  "aim.diamonds-hint":
+    "用于解球或翻袋：显示已发表系统在颗星处的数字、系统给出的目标（圆环）以及球实际到达的位置（圆点）。",
+
+  "diamonds.corner-five": "五分角系统：{from} − {over} = {predicted}。",
+  "diamonds.plus": "加法系统：{from} + {over} = {predicted}。",
+  "diamonds.two-to-one": "二比一：2 × {over} − {from} = {predicted}。",
+  "diamonds.actual": "{said}球到达 {actual}：相差 {difference} 颗星。",
+  "diamonds.equal": "{said}球正好到达。",
+  "diamonds.not-there": "{said}球到不了那里。",
+  "diamonds.none": "没有适合这条线的颗星系统：请经一库、两库或三库瞄准。",
 };

@@ -96,6 +96,9 @@ export const analyse: Translation<typeof en.analyse> = {
   "tree.title": "本次分析的击球",
   "tree.empty":
     "您在这里打的每一杆都会保留：可以回到它，从同一位置换一种打法，或添加注释。“从这里继续”可接着打下去。",
+  "tree.of-move": "第 {number} 步的变化",
+  "tree.played": "实际击球：{text}",
+  "tree.no-text": "变化不是文本",
   "tree.shot": "所选的一杆",
   "tree.comment": "注释",
   "tree.replay": "观看",

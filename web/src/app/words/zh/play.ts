@@ -64,6 +64,15 @@ export const play: Translation<typeof en.play> = {
   "costs.shot": "第 {number} 步，{name}：从 {before} % 到 {after} %。",
   "costs.better": "更好：{play}。",
   "costs.open": "打开这个局面",
+  "change.close-position": "回到比赛",
+
+  "study.open": "分析",
+  "study.open-move": "分析第 {number} 步",
+  "study.of": "比赛第 {number} 步，{name}：在这里试打的球是这一步的变化。",
+  "study.close": "回到比赛",
+  "study.count": { other: " {count} 个变化" },
+  "study.no-shot": "这一步不是击球。",
+  "study.refused": "第 {number} 步的变化：{why}",
   "change.open-position": "打开局面",
 
   "setup.friend": "朋友，通过链接",

@@ -1,0 +1,127 @@
+/** Analyse on a phone: the chip, the stopping place, the zone, the plan; and a finger's loupe. */
+
+import type { CDPSession, Page } from "playwright-core";
+import { expect, onPage, PHONE, picture, settled, shotOf, type Spot, test } from "./fixture.ts";
+import { showTab } from "./sizes.ts";
+
+const TOUCH = { viewport: PHONE, hasTouch: true, isMobile: true };
+
+/** A finger on the screen. */
+async function finger(page: Page) {
+  const session: CDPSession = await page.context().newCDPSession(page);
+  const send = (type: "touchStart" | "touchMove" | "touchEnd", at?: Spot) =>
+    session.send("Input.dispatchTouchEvent", { type, touchPoints: at ? [at] : [] });
+  return {
+    down: (at: Spot) => send("touchStart", at),
+    move: (at: Spot) => send("touchMove", at),
+    up: () => send("touchEnd"),
+  };
+}
+
+/** Records what the loupe is asked to show. */
+async function watchLoupe(page: Page): Promise<() => Promise<(Spot | null)[]>> {
+  await page.evaluate(() => {
+    const { viewer } = window.carom!;
+    const seen: unknown[] = [];
+    const show = viewer.loupe.bind(viewer);
+    viewer.loupe = (at) => {
+      seen.push(at && { x: Math.round(at.x), y: Math.round(at.y) });
+      show(at);
+    };
+    Object.assign(window, { seen });
+  });
+  return () => page.evaluate(() => (window as unknown as { seen: (Spot | null)[] }).seen);
+}
+
+const ballSpot = async (page: Page, id: string): Promise<Spot> => {
+  const { balls } = await shotOf(page);
+  const [x, y] = balls.find((ball) => ball.id === id)!.position;
+  return onPage(page, x, y);
+};
+
+test("the chip, the stopping place, the zone and the plan work on a phone", async ({ open }) => {
+  const page = await open(TOUCH);
+  const chip = page.locator("#chance-chip:not([data-stale])");
+  await chip.filter({ hasText: /^\d+ % club$/ }).waitFor();
+  await page.evaluate(() => window.carom!.store.aimAtPocket("9", "top-right", "pot"));
+  await settled(page);
+  const place = () =>
+    page.evaluate(() => {
+      const { trace } = window.carom!.store.ghost;
+      const [x, y] = trace!.statesAt(trace!.duration);
+      return [x!, y!] as const;
+    });
+  const before = await place();
+  const wanted = [0.5, 1.2] as const;
+  const touch = await finger(page);
+  await touch.down(await onPage(page, ...before));
+  await touch.move(await onPage(page, 0.5, 1.5));
+  await touch.move(await onPage(page, ...wanted));
+  await settled(page);
+  await touch.up();
+  await page
+    .locator("#notice")
+    .filter({ hasText: /^Solved/ })
+    .waitFor();
+  const after = await place();
+  expect(Math.hypot(after[0] - wanted[0], after[1] - wanted[1])).toBeLessThan(0.05);
+
+  await showTab(page, "lines");
+  await page.getByLabel("Next ball", { exact: true }).selectOption("1");
+  await page
+    .locator("#zone-status")
+    .filter({ hasText: /ball 1 falls in about \d+ %/ })
+    .waitFor();
+  await page.locator("#plan").tap();
+  await page.locator("#plan-legs[data-done=true]").waitFor();
+  expect(await page.locator("#plan-legs .line").count()).toBe(3);
+  await picture(page, "plan-phone");
+  expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBe(PHONE.width);
+});
+
+test("a finger that rests on a ball has a loupe, which follows it until it is lifted", async ({
+  open,
+}) => {
+  const page = await open(TOUCH);
+  const seen = await watchLoupe(page);
+  const touch = await finger(page);
+  const ball = await ballSpot(page, "1");
+  const start = (await shotOf(page)).balls;
+  await touch.down(ball);
+  await expect.poll(seen).toHaveLength(1);
+  await picture(page, "loupe");
+  const to = { x: ball.x + 40, y: ball.y + 30 };
+  await touch.move(to);
+  await settled(page);
+  await touch.up();
+  const spots = await seen();
+  expect(spots[0]).toEqual({ x: Math.round(ball.x), y: Math.round(ball.y) });
+  expect(spots.at(-2)).toEqual({ x: Math.round(to.x), y: Math.round(to.y) });
+  expect(spots.at(-1)).toBeNull();
+  expect((await shotOf(page)).balls).not.toEqual(start);
+});
+
+test("the loupe also appears when the finger pauses while it turns the aim", async ({ open }) => {
+  const page = await open(TOUCH);
+  const seen = await watchLoupe(page);
+  const touch = await finger(page);
+  const [from, to] = [await onPage(page, 0.9, 1), await onPage(page, 0.8, 1.1)];
+  await touch.down(from);
+  await touch.move(to);
+  await expect.poll(seen).toEqual([{ x: Math.round(to.x), y: Math.round(to.y) }]);
+  await touch.up();
+  await expect.poll(seen).toHaveLength(2);
+});
+
+test("neither a short tap nor a mouse has a loupe", async ({ open }) => {
+  const page = await open(TOUCH);
+  const seen = await watchLoupe(page);
+  const ball = await ballSpot(page, "1");
+  await page.touchscreen.tap(ball.x, ball.y);
+  await page.mouse.move(ball.x, ball.y);
+  await page.mouse.down();
+  // Longer than a finger would have to rest.
+  await page.waitForTimeout(600);
+  await page.mouse.up();
+  expect(await seen()).toEqual([]);
+});
