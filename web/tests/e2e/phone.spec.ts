@@ -1,6 +1,7 @@
 /** Analyse on a phone: the chip, the stopping place, the zone, the plan; and a finger's loupe. */
 
 import type { CDPSession, Page } from "playwright-core";
+import { PNG } from "pngjs";
 import { expect, onPage, PHONE, picture, settled, shotOf, type Spot, test } from "./fixture.ts";
 import { showTab } from "./sizes.ts";
 
@@ -38,6 +39,20 @@ const ballSpot = async (page: Page, id: string): Promise<Spot> => {
   const [x, y] = balls.find((ball) => ball.id === id)!.position;
   return onPage(page, x, y);
 };
+
+test("the table stays visible above an open panel", async ({ open }) => {
+  const page = await open(TOUCH);
+  await page.evaluate(() => window.carom!.store.setSession({ activity: "train" }));
+  await page.waitForSelector("#play-puzzle");
+  const stage = (await page.locator("#stage").boundingBox())!;
+  const taken = PNG.sync.read(await page.screenshot({ scale: "css" }));
+  const x = Math.round(stage.x + stage.width / 2);
+  const y = Math.round(stage.y + stage.height / 5);
+  const [red, green, blue] = taken.data.subarray(4 * (y * taken.width + x));
+  expect([red! < green!, blue! < green!, green! > 60], `${red} ${green} ${blue}`).not.toContain(
+    false,
+  );
+});
 
 test("the chip, the stopping place, the zone and the plan work on a phone", async ({ open }) => {
   const page = await open(TOUCH);
