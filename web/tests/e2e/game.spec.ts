@@ -221,7 +221,10 @@ test("taps call a ball and its pocket, and a shot without a call is refused", as
       window.carom!.store.shot.geometry.pockets.find(({ name }) => name === "top-right")!.center,
   );
   await tap(x, y);
-  expect((await stateOf(page)).call).toEqual({ kind: "pocket", ball: "5", into: "top-right" });
+  // A worker searches a line for the ball first, and finds none.
+  await expect
+    .poll(async () => (await stateOf(page)).call)
+    .toEqual({ kind: "pocket", ball: "5", into: "top-right" });
   expect(await bar(page)).toMatch(/Called: ball 5, bottom right pocket/);
   expect((await shotOf(page)).strike!.azimuth_deg).toBe(azimuth);
   await picture(page, "game-call");
