@@ -152,7 +152,7 @@ test("with reduced motion a replay does not start by itself", async ({ open }) =
   expect(await playing(page)).toBe(false);
 });
 
-test("a picture that restores a part of the table equals one that is drawn anew", async ({
+test("a picture that restores a part of the table equals one that is drawn as a whole", async ({
   open,
 }) => {
   const page = await open({ viewport: SMALL });
