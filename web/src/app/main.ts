@@ -49,7 +49,6 @@ async function start(): Promise<void> {
   };
   const scene = new Scene(store, context);
   scene.update();
-  viewer.compile();
   const mountParts = mountPage(store, context, first.welcome);
   window.carom = { store, engine, viewer, scene };
   viewer.resize();
@@ -75,10 +74,9 @@ function followTurn(store: Store, viewer: Viewer): void {
   const { size } = store.shot.geometry;
   if (!size || store.view.camera === "cue" || viewer.flying) return;
   const [x, y] = [size[0] / 2, size[1] / 2];
-  const from = viewer.project(x, y, 0);
-  const to = viewer.project(x, y + ASIDE, 0);
-  if (!from || !to) return;
-  const turn = turnOf(to[0] - from[0], to[1] - from[1]);
+  const aside = viewer.seen([x, y], [x, y + ASIDE]);
+  if (!aside) return;
+  const turn = turnOf(...aside);
   if (turn === store.session.turn) return;
   setTurn(turn);
   store.setSession({ turn });

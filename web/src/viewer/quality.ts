@@ -35,6 +35,7 @@ const PATIENCE = 4;
 /** Chooses a level from frame times that the caller measures. */
 export class Governor {
   #level: number;
+  readonly #best: number;
   readonly #times: number[] = [];
   #last = NaN;
   #fast = 0;
@@ -42,8 +43,13 @@ export class Governor {
   #raised = false;
   #median = 0;
 
-  constructor(level: number) {
+  /**
+   * @param level - Where it starts.
+   * @param best - The best level that it chooses.
+   */
+  constructor(level: number, best = 0) {
     this.#level = level;
+    this.#best = best;
   }
 
   /** Index into `LEVELS`. */
@@ -86,7 +92,7 @@ export class Governor {
       return true;
     }
     this.#fast = this.#median < FAST ? this.#fast + 1 : 0;
-    if (this.#fast < this.#patience || this.#level === 0) return false;
+    if (this.#fast < this.#patience || this.#level === this.#best) return false;
     this.#fast = 0;
     this.#raised = true;
     this.#level -= 1;
@@ -96,8 +102,11 @@ export class Governor {
 
 /** Whether the processor draws WebGL, as in virtual machines and tests. */
 export function isSoftware(): boolean {
-  const context = document.createElement("canvas").getContext("webgl2");
-  if (!context) return false;
+  // Browsers that know it refuse this context at once.
+  const context = document
+    .createElement("canvas")
+    .getContext("webgl2", { failIfMajorPerformanceCaveat: true } as WebGLContextAttributes);
+  if (!context) return true;
   const names = context.getExtension("WEBGL_debug_renderer_info");
   const name = String(
     context.getParameter(names ? names.UNMASKED_RENDERER_WEBGL : context.RENDERER),

@@ -108,7 +108,7 @@ export class Viewer {
     this.#stage = new Stage(canvas, this.#scene, isSoftware());
     this.#shadowsAllowed = options.shadows ?? true;
     this.#rig = new Rig(canvas, this.#reducedMotion, () => this.#invalidate());
-    this.#governor = new Governor(this.#stage.software ? LOW : 0);
+    this.#governor = this.#newGovernor();
     this.#scene.add(
       this.#lighting.group,
       this.#table.group,
@@ -128,6 +128,7 @@ export class Viewer {
     this.#watcher.observe(canvas);
     canvas.addEventListener("webglcontextrestored", this.#restored);
     this.resize();
+    this.#compile();
   }
 
   /** Whether a call of {@link render} would draw something new. */
@@ -177,7 +178,7 @@ export class Viewer {
 
   set quality(quality: Quality) {
     this.#quality = quality;
-    this.#governor = new Governor(this.#stage.software ? LOW : 0);
+    this.#governor = this.#newGovernor();
     this.#applyLevel();
     this.#invalidate();
   }
@@ -352,10 +353,16 @@ export class Viewer {
     ];
   }
 
-  /** Starts to compile the shaders of what is shown. They compile in parallel until the next picture. */
-  compile(): void {
-    const parts = [this.#table.group, this.#balls.group, this.#cue.mesh, this.#paths.group];
-    this.#stage.compile([...parts, this.#aim.object, this.#marks.group], this.#rig.camera);
+  /**
+   * A step on the cloth as it is seen: to the right and down, relative to the width of the canvas. Null if
+   * an end is behind the camera. Unlike {@link Viewer.project} it does not ask the browser for the layout.
+   */
+  seen([x, y]: Point, [toX, toY]: Point): [right: number, down: number] | null {
+    const { camera } = this.#rig;
+    const from = new Vector3(x, y, 0).project(camera);
+    const to = new Vector3(toX, toY, 0).project(camera);
+    if (from.z > 1 || to.z > 1) return null;
+    return [(to.x - from.x) / 2, (from.y - to.y) / 2 / camera.aspect];
   }
 
   /**
@@ -473,6 +480,12 @@ export class Viewer {
     this.#rig.setAim(center, cue);
   }
 
+  /** Starts to compile the shaders of the first pictures. They compile in parallel until then. */
+  #compile(): void {
+    const parts = [this.#balls.group, this.#cue.mesh, this.#paths.group, this.#aim.object];
+    this.#stage.compile([this.#table.samples(), ...parts, this.#marks.group], this.#rig.camera);
+  }
+
   /** @param fine - Whether software rendering smooths edges. */
   #draw(fine: boolean): void {
     this.#rig.update(performance.now());
@@ -516,6 +529,11 @@ export class Viewer {
 
   #applyLevel(): void {
     this.#apply(LEVELS[this.#level]!, devicePixelRatio);
+  }
+
+  /** Software rendering keeps the table's picture, which takes a low level. */
+  #newGovernor(): Governor {
+    return this.#stage.software ? new Governor(LOW, LOW) : new Governor(0);
   }
 
   /** Index of the present level. */

@@ -48,6 +48,15 @@ const KEYS: Readonly<Record<string, (at: number, tabs: number) => number>> = {
   End: (_, tabs) => tabs - 1,
 };
 
+/** Dispatched on a tab's panel whenever it may have become visible. */
+const SHOWN = "carom:shown";
+
+/** Mounts the content of a tab's panel when it is first shown. Most panels are not at the start. */
+export function whenShown(panel: HTMLElement, mount: (panel: HTMLElement) => void): void {
+  if (panel.hidden) panel.addEventListener(SHOWN, () => mount(panel), { once: true });
+  else mount(panel);
+}
+
 /** @returns A function that shows the tab with this name. */
 export function mountTabs(root: HTMLElement, store: Store): (name: Tab["name"]) => void {
   const panel = root.closest<HTMLElement>(".panel")!;
@@ -84,6 +93,7 @@ export function mountTabs(root: HTMLElement, store: Store): (name: Tab["name"]) 
       button.setAttribute("aria-selected", String(on));
       button.tabIndex = on ? 0 : -1;
       body(tab).hidden = !on;
+      if (on) body(tab).dispatchEvent(new Event(SHOWN));
     });
   }
 

@@ -60,7 +60,7 @@ export function mountTrain(root: HTMLElement, store: Store, context: Context): v
     }
   });
   mountKept(practice, store, context.engine);
-  show(false);
+  if (store.session.activity === "train") show(false);
 }
 
 /** The id of the element in a root that has the focus; "" if it has none, null without focus. */

@@ -7,7 +7,7 @@ export type { Key } from "./catalogue.ts";
 
 let present: Language = "en";
 
-/** Formats of the present language; creating one takes longer than using it. */
+/** Formats of the present language. */
 let formats = formatsOf(present);
 
 export function language(): Language {
@@ -49,7 +49,7 @@ function formOf(
   entry: Partial<Record<Intl.LDMLPluralRule, string>> & { other: string },
   { count }: Values,
 ): string {
-  return entry[formats.plural.select(Number(count))] ?? entry.other;
+  return entry[formats.plural().select(Number(count))] ?? entry.other;
 }
 
 /**
@@ -84,12 +84,12 @@ export function list(
   items: readonly string[],
   type: "conjunction" | "disjunction" = "conjunction",
 ) {
-  return formats[type].format(items);
+  return formats[type]().format(items);
 }
 
 /** A month, "Nov 2026". */
 export function month(date: Date): string {
-  return formats.month.format(date);
+  return formats.month().format(date);
 }
 
 /** A text as a sentence: with a capital and a full stop. */
@@ -116,12 +116,20 @@ function formatsOf(to: Language) {
   const tag = LANGUAGES[to].formats;
   return {
     tag,
-    plural: new Intl.PluralRules(tag),
+    plural: once(() => new Intl.PluralRules(tag)),
     numbers: new Map<number, Intl.NumberFormat>(),
-    conjunction: new Intl.ListFormat(tag, { type: "conjunction" }),
-    disjunction: new Intl.ListFormat(tag, { type: "disjunction" }),
-    month: new Intl.DateTimeFormat(tag, { month: "short", year: "numeric", timeZone: "UTC" }),
+    conjunction: once(() => new Intl.ListFormat(tag, { type: "conjunction" })),
+    disjunction: once(() => new Intl.ListFormat(tag, { type: "disjunction" })),
+    month: once(
+      () => new Intl.DateTimeFormat(tag, { month: "short", year: "numeric", timeZone: "UTC" }),
+    ),
   };
+}
+
+/** Makes a value when it is first used. A format takes some 10 ms, and the page starts with few of them. */
+function once<T>(make: () => T): () => T {
+  let made: T | undefined;
+  return () => (made ??= make());
 }
 
 /** Without grouping: 1 000 m/s² would look like two numbers in a list. "-0" becomes "0". */

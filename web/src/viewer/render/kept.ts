@@ -65,6 +65,11 @@ export class Kept {
     this.#scene.add(this.#mesh);
   }
 
+  /** Starts to compile the shaders. */
+  compile(renderer: WebGLRenderer): void {
+    renderer.compile(this.#scene, this.#camera);
+  }
+
   /** Copies the kept pixels of these tiles, by index, to the screen. */
   restore(renderer: WebGLRenderer, tiles: Tiles, indices: Uint32Array): void {
     if (this.#tiles.getAttribute("tile").count !== tiles.count) {

@@ -77,9 +77,9 @@ export class Stage {
   /** A whole picture with smooth edges, and the loupe's. */
   readonly #smooth = new Picture(true);
   readonly #loupe = new Picture(true, LinearFilter);
-  /** The camera of the last picture, and whether `#table` shows what it sees. */
+  /** The camera of this picture and of the last one, and whether `#table` shows what it sees. */
   readonly #view = new Matrix4();
-  readonly #last = new Matrix4();
+  #last: Matrix4 | null = null;
   #fresh = false;
   readonly #size = new Vector2();
 
@@ -121,11 +121,10 @@ export class Stage {
     return this.renderer.getDrawingBufferSize(this.#size).y;
   }
 
-  /** Starts to compile the shaders of these objects and their children, unless they are hidden. */
+  /** Starts to compile the shaders of these objects and their children, also if they are hidden. */
   compile(objects: readonly Object3D[], camera: Camera): void {
-    for (const object of objects) {
-      if (object.visible) this.renderer.compile(object, camera, this.#scene);
-    }
+    for (const object of objects) this.renderer.compile(object, camera, this.#scene);
+    if (this.software) this.#table.compile(this.renderer);
   }
 
   /**
@@ -163,10 +162,10 @@ export class Stage {
 
   #quickly(camera: Camera): void {
     this.#view.multiplyMatrices(camera.projectionMatrix, camera.matrixWorldInverse);
-    const still = this.#view.equals(this.#last);
-    this.#last.copy(this.#view);
+    const moves = this.#last !== null && !this.#view.equals(this.#last);
+    this.#last = (this.#last ?? new Matrix4()).copy(this.#view);
     // While the camera moves, the table's picture could be used only once.
-    if (!still) {
+    if (moves) {
       this.#fresh = false;
       this.#whole(camera);
       return;

@@ -7,6 +7,7 @@ import {
   type Material,
   Mesh,
   MeshBasicMaterial,
+  type Object3D,
   PlaneGeometry,
 } from "three";
 import { DEPTH, STILL } from "../render/layers";
@@ -80,6 +81,22 @@ export class Table {
     );
     floor.translate(width / 2, length / 2, -FLOOR);
     this.#add(floor, this.#floorMaterial);
+  }
+
+  /**
+   * An object for each shader of a table with rails. It draws nothing; shaders compile from it before
+   * the first table is known.
+   */
+  samples(): Object3D {
+    const { cloth, wood, frame, shade, sights, markings } = this.#materials;
+    const coloured = new Surface().geometry();
+    const plain = new PlaneGeometry();
+    const group = new Group();
+    for (const material of [cloth, wood, frame, shade]) group.add(new Mesh(coloured, material));
+    for (const material of [sights, markings, this.#floorMaterial, this.#depthMaterial])
+      group.add(new Mesh(plain, material));
+    for (const mesh of group.children) mesh.receiveShadow = true;
+    return group;
   }
 
   setPalette(palette: Palette): void {

@@ -12,6 +12,7 @@ export type Shade = number | readonly [brightness: number, opacity: number];
 /** Collects triangles. Vertices are shared along a band but not between bands, which keeps edges sharp. */
 export class Surface {
   readonly #positions: number[] = [];
+  readonly #normals: number[] = [];
   readonly #colors: number[] = [];
   readonly #indices: number[] = [];
 
@@ -26,7 +27,7 @@ export class Surface {
     if (ShapeUtils.isClockWise(rings[0]!)) rings[0]!.reverse();
     for (const hole of rings.slice(1)) if (!ShapeUtils.isClockWise(hole)) hole.reverse();
     const first = this.#count;
-    for (const { x, y } of rings.flat()) this.#vertex(x, y, z, shade);
+    for (const { x, y } of rings.flat()) this.#vertex(x, y, z, shade, 1);
     for (const triangle of ShapeUtils.triangulateShape(rings[0]!, rings.slice(1))) {
       this.#indices.push(...triangle.map((corner) => first + corner));
     }
@@ -45,12 +46,13 @@ export class Surface {
       const first = this.#count;
       [above, below].forEach((line, side) => {
         const shade = shades[row + side] ?? shades[0]!;
-        line.forEach(([x, y, z]) => this.#vertex(x, y, z, shade));
+        line.forEach(([x, y, z]) => this.#vertex(x, y, z, shade, 0));
       });
       const width = above.length;
       for (let i = 0; i + 1 < width; i += 1) {
         const a = first + i;
-        this.#indices.push(a, a + 1, a + width, a + 1, a + width + 1, a + width);
+        this.#triangle(a, a + 1, a + width);
+        this.#triangle(a + 1, a + width + 1, a + width);
       }
     }
     return this;
@@ -60,18 +62,36 @@ export class Surface {
     const geometry = new BufferGeometry();
     geometry.setAttribute("position", new Float32BufferAttribute(this.#positions, 3));
     geometry.setAttribute("color", new Float32BufferAttribute(this.#colors, 4));
+    geometry.setAttribute("normal", new Float32BufferAttribute(this.#normals, 3));
     geometry.setIndex(this.#indices);
-    geometry.computeVertexNormals();
+    geometry.normalizeNormals();
     return geometry;
+  }
+
+  /** Adds a triangle of a band. At each vertex the normals of its triangles add up, weighted by their areas. */
+  #triangle(...corners: [number, number, number]): void {
+    this.#indices.push(...corners);
+    const at = (corner: number, axis: number): number => this.#positions[3 * corner + axis]!;
+    const [a, b, c] = corners;
+    const [ux, uy, uz] = [at(b, 0) - at(a, 0), at(b, 1) - at(a, 1), at(b, 2) - at(a, 2)];
+    const [vx, vy, vz] = [at(c, 0) - at(a, 0), at(c, 1) - at(a, 1), at(c, 2) - at(a, 2)];
+    for (const corner of corners) {
+      this.#normals[3 * corner]! += uy * vz - uz * vy;
+      this.#normals[3 * corner + 1]! += uz * vx - ux * vz;
+      this.#normals[3 * corner + 2]! += ux * vy - uy * vx;
+    }
   }
 
   get #count(): number {
     return this.#positions.length / 3;
   }
 
-  #vertex(x: number, y: number, z: number, shade: Shade): void {
+  /** @param up - The vertical component of its normal, to which those of triangles are added. */
+  #vertex(x: number, y: number, z: number, shade: Shade, up: 0 | 1): void {
     const [brightness, opacity] = typeof shade === "number" ? [shade, 1] : shade;
-    this.#positions.push(x, y, z);
+    // As the geometry stores them: a triangle whose corners fall together there has no normal.
+    this.#positions.push(Math.fround(x), Math.fround(y), Math.fround(z));
+    this.#normals.push(0, 0, up);
     this.#colors.push(brightness, brightness, brightness, opacity);
   }
 }

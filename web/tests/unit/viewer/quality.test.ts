@@ -49,6 +49,12 @@ test("fast frames over a long time raise the quality", () => {
   expect(governor.level).toBe(0);
 });
 
+test("fast frames do not raise the quality above the best allowed level", () => {
+  const governor = new Governor(3, 2);
+  run(governor, 16, 4000, { now: 0 });
+  expect(governor.level).toBe(2);
+});
+
 test("the times between isolated pictures are ignored", () => {
   const governor = new Governor(0);
   for (let i = 0; i < 500; i += 1) governor.frame(120 * i, false);
