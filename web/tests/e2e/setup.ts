@@ -31,20 +31,22 @@ const TYPES: Readonly<Record<string, string>> = {
 const FLAGS = [
   // Chromium refuses to start as root with its sandbox, as in a container.
   "--no-sandbox",
-  "--use-gl=angle",
-  "--use-angle=swiftshader",
-  "--enable-unsafe-swiftshader",
   "--disable-background-networking",
   "--disable-component-update",
   "--disable-sync",
   "--no-first-run",
 ];
 
-/**
- * The frames of the tests are put together without WebGL, which takes half the time. The benchmarks
- * measure the browser as it is.
- */
-const TEST_FLAGS = ["--disable-gpu-compositing"];
+/** The benchmarks measure the browser as it is on a computer without a graphics card. */
+const BENCH_FLAGS = ["--disable-gpu"];
+
+/** The tests draw in software whatever the computer has, and put their frames together without WebGL. */
+const TEST_FLAGS = [
+  "--use-gl=angle",
+  "--use-angle=swiftshader",
+  "--enable-unsafe-swiftshader",
+  "--disable-gpu-compositing",
+];
 
 export default async function setup({ name, provide }: TestProject): Promise<() => Promise<void>> {
   const root = fileURLToPath(new URL("../..", import.meta.url));
@@ -60,7 +62,7 @@ export default async function setup({ name, provide }: TestProject): Promise<() 
   await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
   const browser = await chromium.launchServer({
     executablePath: await requireChromium(),
-    args: name === "bench" ? FLAGS : [...FLAGS, ...TEST_FLAGS],
+    args: [...FLAGS, ...(name === "bench" ? BENCH_FLAGS : TEST_FLAGS)],
   });
   provide("page", `http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
   provide("file", file);
