@@ -15,9 +15,22 @@ pub enum Allocation {
     Ocba,
 }
 
+/// How the candidates of a shot are compared. Opening shots are always raced.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SearchMethod {
+    /// A race with common errors, whose finalists are moved and searched again.
+    #[default]
+    Race,
+    /// Monte Carlo tree search with kernel regression (Yee, Lisý & Bowling 2016). The settings
+    /// `shift`, `allocation`, `replying` and `finalists` belong to the race.
+    KrUct,
+}
+
 /// How the searching player searches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchSettings {
+    /// How the candidates are compared.
+    pub method: SearchMethod,
     /// Share of a round's simulations that search for candidates; the rest races them. 0 to 0.9.
     pub exploring: f64,
     /// Candidates that enter the first race, if enough are found. A large round has more.
@@ -32,7 +45,8 @@ pub struct SearchSettings {
     pub replying: f64,
     /// Largest number of finalists whose successors are searched; 0 for none.
     pub finalists: usize,
-    /// Fewest simulations for each of them. A round that cannot afford them searches none.
+    /// Fewest simulations for each of them. A round that cannot afford them searches none. With
+    /// [`SearchMethod::KrUct`]: simulations that look for the plays of a position in the tree.
     pub per_reply: u64,
     /// Whether finalists are moved uphill by the weights of their samples.
     pub shift: bool,
@@ -53,6 +67,7 @@ pub struct SearchSettings {
 impl Default for SearchSettings {
     fn default() -> Self {
         Self {
+            method: SearchMethod::Race,
             exploring: 0.45,
             racing: 48,
             safeties: 12,
@@ -88,7 +103,8 @@ impl SearchSettings {
     }
 
     /// The names of the settings that [`Self::read`] knows.
-    pub const KEYS: [&str; 11] = [
+    pub const KEYS: [&str; 12] = [
+        "method",
         "exploring",
         "racing",
         "safeties",
@@ -133,6 +149,13 @@ impl SearchSettings {
         settings.per_reply = count("per-reply", 1, settings.per_reply)?;
         settings.shift = flag("shift", settings.shift)?;
         settings.common_errors = flag("common-errors", settings.common_errors)?;
+        if let Some(value) = object.get("method") {
+            settings.method = match value.text("race or kr-uct")? {
+                "race" => SearchMethod::Race,
+                "kr-uct" => SearchMethod::KrUct,
+                word => return Err(value.unknown_word(word, "method", &["race", "kr-uct"])),
+            };
+        }
         if let Some(value) = object.get("allocation") {
             settings.allocation = match value.text("halving or ocba")? {
                 "halving" => Allocation::Halving,

@@ -7,7 +7,9 @@ use carom::shot::PlacedBall;
 use carom::{Error, Noise, Shot};
 use carom_mind::search::PlayKind;
 use carom_mind::value::{Logistic, Markov};
-use carom_mind::{Answer, Budget, Decision, Player, SearchSettings, Searcher, Situation, Spent};
+use carom_mind::{
+    Answer, Budget, Decision, Player, SearchMethod, SearchSettings, Searcher, Situation, Spent,
+};
 use carom_plan::Prepared;
 use carom_rules::{Call, Frame, FrameSimulator, Options, Play, Request, Rules};
 
@@ -34,10 +36,24 @@ fn decide(frame: &Frame, noise: Noise, simulations: u64) -> Decision {
     Searcher::default().decide(&situation, &Budget::simulations(simulations)).expect("a decision")
 }
 
+/// The player that searches a tree in place of the race.
+fn tree_player() -> Searcher {
+    let settings = SearchSettings { method: SearchMethod::KrUct, ..SearchSettings::default() };
+    Searcher::new("kr-uct", Box::<Logistic>::default(), settings).expect("a player")
+}
+
 #[test]
 fn every_request_of_every_game_gets_an_answer_until_the_frame_is_over() {
+    play_every_game(Searcher::default());
+}
+
+#[test]
+fn a_tree_answers_every_request_of_every_game() {
+    play_every_game(tree_player());
+}
+
+fn play_every_game(mut player: Searcher) {
     let noise = Noise::olympiad(1.0);
-    let mut player = Searcher::default();
     let mut simulator = FrameSimulator::new();
     for rules in Rules::ALL {
         let mut frame = new_frame(rules, 3);
@@ -108,6 +124,39 @@ fn the_number_of_rounds_repeats_a_decision_that_a_clock_has_ended() {
     assert_eq!(timed.spent.rounds, 2);
     let again = Budget { rounds: Some(2), ..Budget::simulations(50_000) };
     assert_eq!(Searcher::default().decide(&situation, &again).expect("a decision"), timed);
+}
+
+#[test]
+fn a_tree_gives_the_same_decision_again_and_keeps_its_budget() {
+    let frame = eight_ball(&[
+        (0, [0.4, 0.6]),
+        (1, [0.7, 1.2]),
+        (3, [0.2, 1.6]),
+        (8, [0.5, 0.5]),
+        (9, [0.9, 0.9]),
+        (12, [0.6, 2.0]),
+    ]);
+    let situation = Situation::new(&frame, Noise::olympiad(1.0), 4);
+    let decide = |threads, rounds, is_over: &(dyn Fn(Spent) -> bool + Sync)| {
+        let runner = Runner::new(Some(threads)).expect("a runner");
+        let budget = Budget { runner, rounds, is_over, ..Budget::simulations(9000) };
+        tree_player().decide(&situation, &budget).expect("a decision")
+    };
+    let never = |_: Spent| false;
+    let whole = decide(1, None, &never);
+    assert_eq!(decide(5, None, &never), whole);
+    assert!(whole.spent.rounds >= 2, "{:?}", whole.spent);
+    // The searches for plays may cost a few simulations more than they should.
+    assert!((8000..9050).contains(&whole.spent.simulations), "{:?}", whole.spent);
+    // A clock that ends it after its second round.
+    let timed = decide(1, None, &|spent: Spent| spent.rounds >= 2);
+    assert_eq!(timed.spent.rounds, 2);
+    assert_eq!(decide(2, Some(2), &never), timed);
+    assert_ne!(decide_in_a_race(&situation).answer, whole.answer);
+}
+
+fn decide_in_a_race(situation: &Situation<'_>) -> Decision {
+    Searcher::default().decide(situation, &Budget::simulations(9000)).expect("a decision")
 }
 
 #[test]

@@ -6,7 +6,7 @@ use carom_rules::Play;
 use crate::line::{Line, LineKind};
 
 /// Number of samples that count as much as the prior in the mean value of a candidate.
-const PRIOR_SAMPLES: f64 = 4.0;
+pub(crate) const PRIOR_SAMPLES: f64 = 4.0;
 
 /// What a play is meant to do.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -1,11 +1,13 @@
 //! The search: candidate plays from lines and lattices, a race between them, and a second look at
-//! the finalists.
+//! the finalists. In place of the race there may be a tree.
 
 mod break_search;
 mod candidate;
 mod caroms;
 mod explore;
 mod hand;
+mod kernel_regression;
+mod kernel_tree;
 mod openings;
 mod pots;
 mod race;

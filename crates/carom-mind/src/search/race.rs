@@ -32,6 +32,7 @@ const LEAST_DIFFERENCE: f64 = 1e-3;
 const LEAST_VARIANCE: f64 = 1e-4;
 
 /// What is raced.
+#[derive(Clone, Copy)]
 pub(crate) struct Race<'a> {
     pub(crate) situation: &'a Situation<'a>,
     pub(crate) value: &'a dyn Value,
@@ -152,8 +153,8 @@ impl Race<'_> {
         played.into_iter().collect()
     }
 
-    /// Plays variants of one candidate.
-    fn play(
+    /// Plays variants of one candidate. The last successor stays in `successor`.
+    pub(crate) fn play(
         &self,
         candidate: &Candidate,
         (sampler, successor): (&mut Sampler, &mut Frame),

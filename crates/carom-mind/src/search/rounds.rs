@@ -6,6 +6,7 @@ use carom_rules::{Rules, Turn};
 
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
+use super::kernel_tree::KernelTree;
 use super::openings::opening_shots;
 use super::pots::KnownLine;
 use super::race::Race;
@@ -13,7 +14,7 @@ use super::replies::Replies;
 use super::shift::{deviations, uphill};
 use crate::breaks::BreakShot;
 use crate::player::{Budget, Situation, Spent};
-use crate::settings::SearchSettings;
+use crate::settings::{SearchMethod, SearchSettings};
 use crate::value::Value;
 use carom_plan::Prepared;
 
@@ -85,6 +86,8 @@ pub struct Rounds {
     /// The places from which the cue ball is played.
     places: Vec<Option<[f64; 2]>>,
     candidates: Vec<Candidate>,
+    /// The tree of [`SearchMethod::KrUct`].
+    tree: KernelTree,
     /// The lines of pots.
     lines: Vec<KnownLine>,
     /// Number of strikes that further rounds have tried on them.
@@ -122,6 +125,7 @@ impl Rounds {
             openings: Vec::new(),
             places,
             candidates,
+            tree: KernelTree::default(),
             lines,
             strikes: 0,
             spent,
@@ -170,6 +174,8 @@ impl Rounds {
         let race = task.race(prepared);
         let before = self.spent.simulations;
         let is_last = before + self.size >= self.racing;
+        let in_tree = settings.method == SearchMethod::KrUct && !situation.frame.is_opening();
+        let mut known = 0;
         let mut explorer = Explorer::new(situation, value, turn, 0);
         if is_first {
             let simulations = (settings.exploring * self.size as f64) as u64;
@@ -178,7 +184,8 @@ impl Rounds {
             self.candidates = select(explorer.found, settings, room as usize);
         } else {
             self.candidates.truncate(KEPT);
-            if settings.shift {
+            known = self.candidates.len();
+            if settings.shift && !in_tree {
                 shift(&mut self.candidates, &race);
             }
             let refining = settings.refining * self.size as f64;
@@ -197,13 +204,18 @@ impl Rounds {
             self.candidates.extend(best_of(explorer.found, room as usize));
         }
         self.spent.simulations += explorer.plays;
-        let replies = Replies::within((settings.replying * self.size as f64) as u64, settings);
-        let cost = replies.as_ref().map_or(0, Replies::cost);
-        let explored = self.spent.simulations - before;
-        let left = self.size.saturating_sub(explored).saturating_sub(cost);
-        self.spent.simulations += race.run(&mut self.candidates, left)?;
-        if let Some(replies) = replies {
-            self.spent.simulations += replies.search(&race, &mut self.candidates)?;
+        let left = self.size.saturating_sub(self.spent.simulations - before);
+        if in_tree {
+            let new = self.candidates.split_off(known);
+            self.spent.simulations += self.tree.search(&race, new, (left, settings.per_reply))?;
+            self.candidates = self.tree.ranked();
+        } else {
+            let replies = Replies::within((settings.replying * self.size as f64) as u64, settings);
+            let cost = replies.as_ref().map_or(0, Replies::cost);
+            self.spent.simulations += race.run(&mut self.candidates, left.saturating_sub(cost))?;
+            if let Some(replies) = replies {
+                self.spent.simulations += replies.search(&race, &mut self.candidates)?;
+            }
         }
         self.spent.rounds += 1;
         self.races += 1;

@@ -26,7 +26,7 @@ pub(crate) fn deviations(noise: &Noise, radius: f64) -> [f64; 4] {
 }
 
 /// `strike` moved by `steps` standard deviations.
-fn moved(strike: &Strike, deviations: &[f64; 4], steps: &[f64; 4]) -> Strike {
+pub(crate) fn moved(strike: &Strike, deviations: &[f64; 4], steps: &[f64; 4]) -> Strike {
     let by = |k: usize| deviations[k] * steps[k];
     Strike {
         azimuth: strike.azimuth + by(0),
