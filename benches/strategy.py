@@ -173,6 +173,27 @@ def parts(found: Experiments) -> list[list[str]]:
     return rows
 
 
+#: The searches that may replace the default one.
+SEARCHES = {
+    "ocba": "race with optimal computing budget allocation",
+    "kr-uct": "KR-UCT",
+    "replies": "race with replies",
+}
+
+
+def search(found: Experiments) -> list[list[str]]:
+    """Other searches against the default one, with what the sequential test accepts."""
+    rows = [["Search", "simulations", "frames", "points against the default, %", "test"]]
+    for key, title in SEARCHES.items():
+        for simulations in (5000, 50_000):
+            if match := found.get(f"search-{key}-{simulations}"):
+                test = match["test"]
+                accepted = f"{100 * test[test['accepted']]:g} %" if test["accepted"] else "open"
+                cells = [f"{simulations:,}", str(2 * match["pairs"]), points(match), accepted]
+                rows.append([title, *cells])
+    return rows
+
+
 #: The matches with a bar: what is played, and the least points of the first player, %.
 BARS = {
     "cue-card-same-break": ("20 000 a frame against CueCard with 200 000, same break", 50),
@@ -314,6 +335,7 @@ TABLES = {
     "matrix": matrix,
     "strength": strength,
     "parts": parts,
+    "search": search,
     "bars": bars,
     "published": published,
     "deep-green": deep_green,

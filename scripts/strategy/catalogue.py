@@ -86,6 +86,17 @@ PARTS = {
 for part, setting in PARTS.items():
     EXPERIMENTS[f"part-{part}"] = Match(f"carom[{setting}]:10000", "carom:10000", pairs=120)
 
+# Other searches against the default one, at about 0.1 s and 1 s of one core for a decision.
+SEARCHES = {"ocba": "allocation=ocba", "kr-uct": "method=kr-uct", "replies": "replying=0.3"}
+for simulations, pairs in ((5000, 120), (SECOND, 60)):
+    for search, setting in SEARCHES.items():
+        EXPERIMENTS[f"search-{search}-{simulations}"] = Match(
+            f"carom[{setting}]:{simulations}",
+            f"carom:{simulations}",
+            pairs=pairs,
+            test=(0.45, 0.55),
+        )
+
 # The levels of strength, each against the one below.
 for number in (2, 3, 4, 5):
     EXPERIMENTS[f"level-{number}-level-{number - 1}"] = Match(
