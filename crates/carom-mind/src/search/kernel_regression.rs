@@ -15,9 +15,10 @@
 //! differences d from the values that they had before: E(a) = Σ K n v / W + Σ K (d − u) / (Σ K m + c),
 //! with their number m, the usual difference u of all calls, and c = [`CAUTION`].
 //!
-//! Departures, besides this correction: K is 1 at the strike itself, so that W is a number of samples, and 0 below
-//! [`LEAST_KERNEL`]. Strikes from different places or with different calls share nothing, since a call
-//! changes what a motion is worth.
+//! Departures, besides this correction: the regression is over the strikes as they were meant, to
+//! which the outcomes belong, and not over those that were executed. K is 1 at the strike itself, so
+//! that W is a number of samples, and 0 below [`LEAST_KERNEL`]. Strikes from different places or with
+//! different calls share nothing, since a call changes what a motion is worth.
 
 use carom::math::{exp, log, sqrt};
 use carom::resolve::cue_ball::Strike;
