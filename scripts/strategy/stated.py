@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import Any
 
 import carom
 from carom import Noise
+from rows import add_rows, read_rows, write_rows
 
 #: Errors that are drawn for each decision, besides those of the frame itself.
 DRAWS = 100
@@ -33,20 +33,17 @@ class Stated:
     def play(self, name: str, folder: Path, threads: int) -> dict[str, Any]:
         """Plays or continues the frames, and compares the chances with what happened."""
         del threads
-        folder.mkdir(parents=True, exist_ok=True)
         path = folder / "decisions.jsonl"
-        done = list(map(json.loads, path.read_text("utf-8").splitlines())) if path.exists() else []
+        done = read_rows(path)
         # A frame that was stopped in the middle is played again.
         frame = max((row["frame"] for row in done), default=0)
         done = [row for row in done if row["frame"] < frame]
-        path.write_text("".join(json.dumps(row) + "\n" for row in done), encoding="utf-8")
-        with path.open("a", encoding="utf-8") as file:
-            while len(done) < self.decisions:
-                for row in self._frame(name, frame):
-                    file.write(json.dumps(row) + "\n")
-                    done.append(row)
-                file.flush()
-                frame += 1
+        write_rows(path, done)
+        while len(done) < self.decisions:
+            rows = list(self._frame(name, frame))
+            add_rows(path, rows)
+            done += rows
+            frame += 1
         rows = done[: self.decisions]
         return {
             "player": self.player,

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import statistics
 from collections.abc import Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -15,6 +14,7 @@ from typing import Any
 import carom
 import numpy as np
 from carom import Noise
+from rows import add_rows, read_rows
 
 #: The table of random layouts, its size and the radius of its balls, m.
 TABLE = "wpa-9ft"
@@ -50,16 +50,13 @@ class Visits:
 
     def play(self, name: str, folder: Path, threads: int) -> dict[str, Any]:
         """Plays or continues the visits, and counts what happened."""
-        folder.mkdir(parents=True, exist_ok=True)
         path = folder / "visits.jsonl"
-        done = list(map(json.loads, path.read_text("utf-8").splitlines())) if path.exists() else []
+        done = read_rows(path)
         known = {visit["number"] for visit in done}
         left = [number for number in range(self.count) if number not in known]
-        with path.open("a", encoding="utf-8") as file:
-            for visit in self._visits(name, left, threads):
-                file.write(json.dumps(visit) + "\n")
-                file.flush()
-                done.append(visit)
+        for visit in self._visits(name, left, threads):
+            add_rows(path, [visit])
+            done.append(visit)
         visits = [visit for visit in done if visit["number"] < self.count]
         runs = sorted(visit["points"] for visit in visits)
         return {

@@ -27,6 +27,7 @@ import type { Game } from "./game.ts";
 import { errorText } from "../common/refusals.ts";
 import { azimuthOfAim, lockOf, steered } from "./pot-lock.ts";
 import { History } from "./history.ts";
+import { STRIKE_NUMBERS } from "./strike-angles.ts";
 import { anglesOf, changed } from "./strike-angles.ts";
 
 /** Reads a shot, or throws a `CaromError`: the engine, or in a game the referee. */
@@ -323,17 +324,6 @@ function withoutStudy(next: Document): Document {
 function isOtherShot(a: Document, b: Document): boolean {
   return a.shot !== b.shot || a.game !== b.game;
 }
-
-/** Keys of a strike that `Shot.withStrike` can change. */
-const STRIKE_NUMBERS: readonly string[] = [
-  "speed",
-  "azimuth_deg",
-  "azimuth",
-  "elevation_deg",
-  "elevation",
-  "side",
-  "height",
-];
 
 function sameButForStrike(a: AimedShot, b: AimedShot): boolean {
   const same = <T extends object>(x: T, y: T, except: readonly string[]) =>

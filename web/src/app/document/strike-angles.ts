@@ -1,8 +1,19 @@
-/** The angles of a strike: a shot file has each in degrees or in radians. */
+/** The numbers of a strike. A shot file has its angles in degrees or in radians. */
 
 import type { StrikeEntry } from "../../engine/index.ts";
 
 const RADIANS_PER_DEGREE = Math.PI / 180;
+
+/** The keys that have a number, in the order in which a tree is written; `Shot.withStrike` can change them. */
+export const STRIKE_NUMBERS = [
+  "speed",
+  "azimuth_deg",
+  "azimuth",
+  "elevation_deg",
+  "elevation",
+  "side",
+  "height",
+] as const;
 
 /** Direction of the cue, degrees; a file may have it in radians. */
 export function azimuthOf({ azimuth, azimuth_deg = 0 }: StrikeEntry): number {

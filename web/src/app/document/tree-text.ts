@@ -15,20 +15,11 @@ import type { BallEntry, Engine, ShotFile, StrikeEntry } from "../../engine/inde
 import { PageError } from "../common/refusals.ts";
 import { t } from "../words/translate.ts";
 import type { AimedShot } from "./aimed-shot.ts";
+import { STRIKE_NUMBERS } from "./strike-angles.ts";
 import { childrenOf, LONGEST_COMMENT, MOST_NODES, type Tree, type TreeNode } from "./tree.ts";
 
 const FORMAT = "tree/1";
 
-/** Keys of a strike in the order in which they are written. */
-const NUMBERS = [
-  "speed",
-  "azimuth_deg",
-  "azimuth",
-  "elevation_deg",
-  "elevation",
-  "side",
-  "height",
-] as const;
 const POLICIES = ["obstruction", "miscue"] as const;
 
 /** Whether a text is, or should be, a tree. */
@@ -76,7 +67,7 @@ function line(tree: Tree, [main, ...others]: readonly TreeNode[], number: number
 }
 
 function strikeText(strike: StrikeEntry): string {
-  const numbers = NUMBERS.flatMap((key) => {
+  const numbers = STRIKE_NUMBERS.flatMap((key) => {
     const value = strike[key];
     return value === undefined ? [] : [`${key}=${Object.is(value, -0) ? "-0.0" : value}`];
   });
@@ -179,7 +170,10 @@ class Reader {
       const pair = this.#take()!;
       const [key, value] = pair.text.split("=") as [string, string];
       if ((POLICIES as readonly string[]).includes(key)) strike[key] = value;
-      else if ((NUMBERS as readonly string[]).includes(key) && Number.isFinite(Number(value)))
+      else if (
+        (STRIKE_NUMBERS as readonly string[]).includes(key) &&
+        Number.isFinite(Number(value))
+      )
         strike[key] = Number(value);
       else throw wrong(pair);
     }
