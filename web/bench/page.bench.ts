@@ -79,7 +79,7 @@ const round = (value: number) => Math.round(value * 100) / 100;
 /** Time (ms) after which a new tab is at rest: until then its process takes a processor from the page. */
 const REST = 1500;
 
-/** Time until the page is usable, in a new tab of a browser that knows nothing of the page, ms. */
+/** Time until the page is usable, in a new tab of a browser with an empty cache, ms. */
 async function firstPicture(browser: Browser, viewport: Window["viewport"]): Promise<number> {
   const context = await browser.newContext({ viewport });
   const page = await context.newPage();

@@ -27,8 +27,7 @@ import type { Game } from "./game.ts";
 import { errorText } from "../common/refusals.ts";
 import { azimuthOfAim, lockOf, steered } from "./pot-lock.ts";
 import { History } from "./history.ts";
-import { STRIKE_NUMBERS } from "./strike-angles.ts";
-import { anglesOf, changed } from "./strike-angles.ts";
+import { anglesOf, changed, STRIKE_NUMBERS } from "./strike-angles.ts";
 
 /** Reads a shot, or throws a `CaromError`: the engine, or in a game the referee. */
 export interface Compiler {
