@@ -42,7 +42,8 @@ def levels(found: Experiments) -> list[list[str]]:
 
 def runs(found: Experiments) -> list[list[str]]:
     """Break and run, with the share of breaks that keep the turn."""
-    rows = [["Game", "noise", "breaks", "break and run, %", "break keeps the turn, %", "bar, %"]]
+    head = ["Game", "noise", "breaks", "break and run, %", "won by the break itself"]
+    rows = [[*head, "break keeps the turn, %", "bar, %"]]
     bars = {
         "run-eight-ball-x0.5": 60,
         "run-eight-ball-x1": 35,
@@ -56,7 +57,9 @@ def runs(found: Experiments) -> list[list[str]]:
             game = name.removeprefix("run-").rpartition("-")[0]
             n = visits["visits"]
             cells = [game, f"× {visits['noise']:g}", str(n), share(visits["won"], n)]
-            rows.append([*cells, share(visits["kept"], n), str(bar)])
+            # Only in games whose last ball may fall on the break.
+            golden = str(visits.get("golden_breaks", 0))
+            rows.append([*cells, golden, share(visits["kept"], n), str(bar)])
     return rows
 
 

@@ -64,7 +64,8 @@ class Visits:
             "noise": self.noise,
             "visits": len(visits),
             "won": sum(visit["won"] for visit in visits),
-            "kept": sum(visit["shots"] > 1 for visit in visits),
+            "golden_breaks": sum(visit["won"] and visit["shots"] == 1 for visit in visits),
+            "kept": sum(visit["won"] or visit["shots"] > 1 for visit in visits),
             "shots": sum(visit["shots"] for visit in visits),
             "points": {
                 "mean": statistics.mean(runs),
