@@ -203,6 +203,10 @@ BARS = {
     "cue-card-6-s-same-break": ("300 000 a frame against CueCard with 200 000, same break", 52),
     "cue-card-6-s-own-breaks": ("300 000 a frame against CueCard with 200 000, own breaks", 57),
     "bar-carom-pick-pocket": ("3000 a decision against PickPocket with 3000, same break", 70),
+    "pick-pocket-6-s-same-break": (
+        "300 000 a frame against PickPocket with 200 000, same break",
+        70,
+    ),
     "bar-carom-greedy": ("3000 a decision against greedy, same break", 80),
     "bar-5-ms-greedy": ("250 a decision against greedy with simulated aim, same break", 90),
 }

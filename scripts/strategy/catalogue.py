@@ -175,6 +175,15 @@ for other in ("pick-pocket", "greedy"):
     EXPERIMENTS[f"bar-carom-{other}"] = Match(
         "carom:3000", f"{other}:3000", pairs=100, table="poolfiz", same_break="head"
     )
+# With six seconds of one core, as against CueCard.
+EXPERIMENTS["pick-pocket-6-s-same-break"] = Match(
+    "carom",
+    "pick-pocket",
+    pairs=100,
+    table="poolfiz",
+    frame_simulations=(300_000, CUE_CARD),
+    same_break="head",
+)
 # Five milliseconds a decision: 250 simulated shots of 20 µs.
 EXPERIMENTS["bar-5-ms-greedy"] = Match(
     "carom:250", "greedy[aim=simulated]:3000", pairs=100, same_break="head"
