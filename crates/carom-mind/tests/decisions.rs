@@ -87,16 +87,20 @@ fn play_every_game(mut player: Searcher) {
     }
 }
 
-#[test]
-fn a_decision_has_the_same_bits_for_any_number_of_threads() {
-    let frame = eight_ball(&[
+fn six_balls() -> Frame {
+    eight_ball(&[
         (0, [0.4, 0.6]),
         (1, [0.7, 1.2]),
         (3, [0.2, 1.6]),
         (8, [0.5, 0.5]),
         (9, [0.9, 0.9]),
         (12, [0.6, 2.0]),
-    ]);
+    ])
+}
+
+#[test]
+fn a_decision_has_the_same_bits_for_any_number_of_threads() {
+    let frame = six_balls();
     let situation = Situation::new(&frame, Noise::olympiad(1.0), 4);
     let with = |threads| {
         let runner = Runner::new(Some(threads)).expect("a runner");
@@ -128,14 +132,7 @@ fn the_number_of_rounds_repeats_a_decision_that_a_clock_has_ended() {
 
 #[test]
 fn a_tree_gives_the_same_decision_again_and_keeps_its_budget() {
-    let frame = eight_ball(&[
-        (0, [0.4, 0.6]),
-        (1, [0.7, 1.2]),
-        (3, [0.2, 1.6]),
-        (8, [0.5, 0.5]),
-        (9, [0.9, 0.9]),
-        (12, [0.6, 2.0]),
-    ]);
+    let frame = six_balls();
     let situation = Situation::new(&frame, Noise::olympiad(1.0), 4);
     let decide = |threads, rounds, is_over: &(dyn Fn(Spent) -> bool + Sync)| {
         let runner = Runner::new(Some(threads)).expect("a runner");
@@ -238,14 +235,7 @@ fn a_finished_frame_and_impossible_settings_are_refused_at_their_place() {
 
 #[test]
 fn a_player_with_another_value_of_positions_has_another_opinion() {
-    let frame = eight_ball(&[
-        (0, [0.4, 0.6]),
-        (1, [0.7, 1.2]),
-        (3, [0.2, 1.6]),
-        (8, [0.5, 0.5]),
-        (9, [0.9, 0.9]),
-        (12, [0.6, 2.0]),
-    ]);
+    let frame = six_balls();
     let situation = Situation::new(&frame, Noise::olympiad(1.0), 4);
     let opinion = |value: Box<dyn carom_mind::value::Value>| {
         let mut player = Searcher::new("p", value, SearchSettings::default()).expect("a player");
