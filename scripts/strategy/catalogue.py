@@ -114,14 +114,15 @@ EXPERIMENTS["cue-card-same-break"] = Match(
     same_break="head",
 )
 # Six seconds of one core: 300 000 simulated shots of 20 µs.
-EXPERIMENTS["cue-card-6-s-same-break"] = Match(
-    "carom",
-    "cue-card",
-    pairs=200,
-    table="poolfiz",
-    frame_simulations=(300_000, CUE_CARD),
-    same_break="head",
-)
+for other, pairs in (("cue-card", 200), ("pick-pocket", 100)):
+    EXPERIMENTS[f"{other}-6-s-same-break"] = Match(
+        "carom",
+        other,
+        pairs=pairs,
+        table="poolfiz",
+        frame_simulations=(300_000, CUE_CARD),
+        same_break="head",
+    )
 EXPERIMENTS["cue-card-6-s-own-breaks"] = Match(
     "carom", "cue-card", pairs=200, table="poolfiz", frame_simulations=(300_000, CUE_CARD)
 )
@@ -175,15 +176,6 @@ for other in ("pick-pocket", "greedy"):
     EXPERIMENTS[f"bar-carom-{other}"] = Match(
         "carom:3000", f"{other}:3000", pairs=100, table="poolfiz", same_break="head"
     )
-# With six seconds of one core, as against CueCard.
-EXPERIMENTS["pick-pocket-6-s-same-break"] = Match(
-    "carom",
-    "pick-pocket",
-    pairs=100,
-    table="poolfiz",
-    frame_simulations=(300_000, CUE_CARD),
-    same_break="head",
-)
 # Five milliseconds a decision: 250 simulated shots of 20 µs.
 EXPERIMENTS["bar-5-ms-greedy"] = Match(
     "carom:250", "greedy[aim=simulated]:3000", pairs=100, same_break="head"
