@@ -25,6 +25,9 @@
 //! - The prior of a play counts as some samples, so that candidates without samples have a value.
 //! - Nodes that ask for a choice or for an opening shot keep the value of the position.
 //!
+//! The losses beside the constants, here and in `kernel_regression`, are means over 150 positions of
+//! eight-ball. They were measured once, to choose the constants, with a program that is not kept.
+//!
 //! The search is sequential: every visit depends on all visits before it. The runner of the budget is
 //! not used.
 

@@ -126,7 +126,7 @@ function formatsOf(to: Language) {
   };
 }
 
-/** Makes a value when it is first used. A format takes some 10 ms, and the page starts with few of them. */
+/** Makes a value when it is first used: making a format takes long, and the page starts with few of them. */
 function once<T>(make: () => T): () => T {
   let made: T | undefined;
   return () => (made ??= make());
