@@ -66,7 +66,7 @@ pub use error::ArenaError;
 pub use ledger::RECORD;
 pub use moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
 pub use record::{MATCH_FORMAT, MatchHeader};
-pub use replay::{RecordDifference, Replay, replay};
+pub use replay::{RecordDifference, Replay, positions, replay};
 pub use score::{FramePoints, MatchScore, PairScores, elo_of_share, share_of_elo};
 pub use secret::{PairSeeds, Secret};
 pub use sequential::{Hypothesis, SequentialTest, TestState};

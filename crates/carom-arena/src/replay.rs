@@ -6,7 +6,8 @@ use carom::runner::Runner;
 use carom_plan::Progress;
 use carom_rules::FrameSimulator;
 
-use crate::arena_frame::ArenaFrame;
+use crate::arena_frame::{ArenaFrame, Ask, NextStep};
+use crate::moves::FrameEnd;
 use crate::record::{
     ENGINE, MatchHeader, Recorded, at_line, frame_line, frame_number, frame_points, last_line,
     read_last_line, read_line, read_moves,
@@ -40,6 +41,32 @@ pub struct RecordDifference {
     pub replayed: String,
 }
 
+/// The parts of a complete record.
+struct Record<'a> {
+    header: MatchHeader,
+    frames: Vec<&'a str>,
+    secret: Secret,
+    /// The last line, which has the secret.
+    last: Node,
+}
+
+impl<'a> Record<'a> {
+    fn read(text: &'a str) -> Result<Self, Error> {
+        let lines: Vec<&str> = text.lines().collect();
+        let [first, frames @ .., last] = lines.as_slice() else {
+            return Err(at_line(incomplete(), 1));
+        };
+        let header = MatchHeader::from_node(&read_line(first, 1)?).map_err(|e| at_line(e, 1))?;
+        let last_number = lines.len() as u64;
+        let last = read_line(last, last_number)?;
+        let (secret, _) = match last.get("secret") {
+            Some(_) => read_last_line(&last).map_err(|error| at_line(error, last_number))?,
+            None => return Err(at_line(incomplete(), last_number)),
+        };
+        Ok(Self { header, frames: frames.to_vec(), secret, last })
+    }
+}
+
 /// Plays the record `text` of a match again: with the recorded answers, every seed, error, strike,
 /// ruling, trace and result is computed again and compared. Costs, chances and settings of players
 /// cannot be computed again; the hash on the last line covers them.
@@ -48,27 +75,18 @@ pub struct RecordDifference {
 /// [`Error::Input`] with the line and the key for a damaged record, and for one without its last
 /// line. [`Error::Input`] at `progress` if the replay was stopped.
 pub fn replay(text: &str, runner: &Runner, progress: &Progress) -> Result<Replay, Error> {
-    let lines: Vec<&str> = text.lines().collect();
-    let [first, frames @ .., last] = lines.as_slice() else {
-        return Err(at_line(incomplete(), 1));
-    };
-    let header = MatchHeader::from_node(&read_line(first, 1)?).map_err(|e| at_line(e, 1))?;
-    let last_number = lines.len() as u64;
-    let last = read_line(last, last_number)?;
-    let (secret, _) = match last.get("secret") {
-        Some(_) => read_last_line(&last).map_err(|error| at_line(error, last_number))?,
-        None => return Err(at_line(incomplete(), last_number)),
-    };
+    let Record { header, frames, secret, last } = Record::read(text)?;
     progress.begin(0, frames.len());
     let replayed =
-        runner.map((0..).zip(frames), FrameSimulator::new, |simulator, (index, line)| {
+        runner.map((0..).zip(&frames), FrameSimulator::new, |simulator, (index, line)| {
             if progress.is_stopped() {
                 let remedy = "start the replay again";
                 return Err(Error::input("progress", "the replay was stopped", remedy));
             }
             let (node, line) = (read_line(line, index + 2)?, index + 2);
-            let again = play_again(&header, &secret, (index, &node), simulator);
+            let again = play_again(&header, &secret, (index, &node), (simulator, &mut |_| ()));
             let again = again.map_err(|error| at_line(error, line))?;
+            let again = frame_line(&again);
             progress.add(1);
             let points = frame_points(&node).map_err(|error| at_line(error, line))?;
             Ok((difference("", &node, &again).map(|d| RecordDifference { line, ..d }), points))
@@ -81,8 +99,34 @@ pub fn replay(text: &str, runner: &Runner, progress: &Progress) -> Result<Replay
     let of_frames = replayed.into_iter().find_map(|(difference, _)| difference);
     let difference = difference_of_secret(&header, &secret)
         .or(of_frames)
-        .or_else(|| difference_of_hash(&lines, &secret, &last));
+        .or_else(|| difference_of_hash(text, &secret, &last));
     Ok(Replay { header, frames: frames.len() as u64, difference, score })
+}
+
+/// Plays the record `text` of a match again, and gives every request of every frame to `see`. Returns
+/// what it returned, frame by frame, and how each frame ended.
+///
+/// # Errors
+/// As [`replay`]. Differences between the record and the replay are not looked for.
+pub fn positions<T: Send>(
+    text: &str,
+    runner: &Runner,
+    see: impl Fn(&Ask<'_>) -> T + Sync,
+) -> Result<Vec<(Vec<T>, FrameEnd)>, Error> {
+    let record = Record::read(text)?;
+    let frames =
+        runner.map((0..).zip(&record.frames), FrameSimulator::new, |simulator, (index, line)| {
+            let number = index + 2;
+            let node = read_line(line, number)?;
+            let mut seen = Vec::new();
+            let mut visit = |ask: &Ask<'_>| seen.push(see(ask));
+            let played =
+                play_again(&record.header, &record.secret, (index, &node), (simulator, &mut visit));
+            let frame = played.map_err(|error| at_line(error, number))?;
+            let end = frame.end().cloned().ok_or_else(|| at_line(incomplete(), number))?;
+            Ok((seen, end))
+        });
+    frames.into_iter().collect()
 }
 
 fn incomplete() -> Error {
@@ -93,13 +137,13 @@ fn incomplete() -> Error {
     )
 }
 
-/// The line of frame number `index`, played again with the moves of the line `node`.
+/// Frame number `index`, played again with the moves of the line `node`. `visit` sees every request.
 fn play_again(
     header: &MatchHeader,
     secret: &Secret,
     (index, node): (u64, &Node),
-    simulator: &mut FrameSimulator,
-) -> Result<Node, Error> {
+    (simulator, visit): (&mut FrameSimulator, &mut dyn FnMut(&Ask<'_>)),
+) -> Result<ArenaFrame, Error> {
     let number = frame_number(node)?;
     if number != index {
         let what = format!("found frame {number}, but frame {index} is next");
@@ -109,8 +153,9 @@ fn play_again(
     let seeds = secret.pair_seeds(number / 2);
     let mut frame = ArenaFrame::begin(header.of.clone(), number, seeds, simulator)?;
     for recorded in moves {
-        if frame.end().is_some() {
-            break;
+        match frame.next() {
+            NextStep::Ask(ask) => visit(&ask),
+            NextStep::Over(_) => break,
         }
         match recorded {
             Recorded::Decision(decision, seconds) => {
@@ -124,7 +169,7 @@ fn play_again(
             }
         }
     }
-    Ok(frame_line(&frame))
+    Ok(frame)
 }
 
 /// The first difference between two values; `key` is their place.
@@ -173,7 +218,8 @@ fn difference_of_secret(header: &MatchHeader, secret: &Secret) -> Option<RecordD
 }
 
 /// Compares the hash of the lines. It finds changes of values that a replay only repeats.
-fn difference_of_hash(lines: &[&str], secret: &Secret, last: &Node) -> Option<RecordDifference> {
+fn difference_of_hash(text: &str, secret: &Secret, last: &Node) -> Option<RecordDifference> {
+    let lines: Vec<&str> = text.lines().collect();
     let mut hash = LineHash::default();
     lines[..lines.len() - 1].iter().for_each(|line| hash.add(line));
     let expected = last_line(secret, hash);
