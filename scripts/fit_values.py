@@ -1,15 +1,19 @@
 """Fit the weights of the logistic regression that values positions (carom-mind, ``Logistic``).
 
-    cargo run --release -p carom-mind --example self_play -- eight-ball 0 2400 300 > eight-ball.csv
+    for noise in 0.5 0.7 1 1.4 2 2.5; do
+        carom match carom:300 carom:400 --game eight-ball --noise olympiad:$noise \\
+            --pairs 700 --secret $(printf eight-ball-$noise | sha256sum | cut -c1-64) --out played/$noise
+    done
+    cargo run --release -p carom-arena --example position_rows -- played/*/match.jsonl > eight-ball.csv
     python scripts/fit_values.py eight-ball.csv nine-ball.csv
 
-Every file holds the positions of one game with the seat that won, from self-play. Every second
-group of six frames, which have six levels of noise, fits the weights, and the others test them. So
-all positions of a frame are on one side. A ridge penalty keeps weights of features without
-information small.
+Every file holds the positions of one game with the seat that won, from matches between two almost equal
+players. The weights are fitted to all of them. For the test, the racks with odd numbers fit other weights
+that predict the even ones, and the reverse. So all positions of a rack are on one side. A ridge
+penalty keeps weights of features without information small.
 
 Written: ``crates/carom-mind/src/value/weights.rs``, and ``benches/results/values.json`` with the
-log loss and the calibration on the frames that were not fitted.
+log loss and the calibration of the predictions.
 """
 
 from __future__ import annotations
@@ -29,10 +33,9 @@ from scipy.special import expit
 ROOT = Path(__file__).resolve().parents[1]
 WEIGHTS = ROOT / "crates" / "carom-mind" / "src" / "value" / "weights.rs"
 STORED = ROOT / "benches" / "results" / "values.json"
-#: Columns before the features: frame, multiplier of the noise, seat, won.
-BEFORE = 4
-#: Number of levels of noise, which follow each other from frame to frame.
-MULTIPLIERS = 6
+#: Columns before the features: pair of frames, error of the direction, seat, won, and the chance of
+#: winning by the Markov chain.
+BEFORE = 5
 #: Strength of the ridge penalty, relative to the mean log loss.
 RIDGE = 1e-4
 Array = NDArray[np.float64]
@@ -41,7 +44,7 @@ Array = NDArray[np.float64]
 def main() -> int:
     """Fits every game and writes the weights."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("files", nargs="+", type=Path, help="GAME.csv of the example self_play")
+    parser.add_argument("files", nargs="+", type=Path, help="GAME.csv of the example position_rows")
     games = {path.stem: fit_game(path) for path in parser.parse_args().files}
     stored = json.loads(STORED.read_text("utf-8"))["games"] if STORED.exists() else {}
     games = dict(sorted((stored | games).items()))
@@ -53,40 +56,51 @@ def main() -> int:
 
 def fit_game(path: Path) -> dict[str, Any]:
     """The weights of a game, and how well they predict frames that were not fitted."""
-    names = path.read_text("utf-8").splitlines()[0].split(",")[BEFORE:]
+    with path.open(encoding="utf-8") as file:
+        names = file.readline().strip().split(",")[BEFORE:]
     table = np.loadtxt(path, delimiter=",", skiprows=1)
-    frame, won, features = table[:, 0], table[:, 3], table[:, BEFORE:]
-    odd = frame // MULTIPLIERS % 2 == 1
-    weights = fitted(features[odd], won[odd])
-    value = expit(features[~odd] @ weights)
-    markov = expit(features[~odd, names.index("markov")])
+    pair, won, features = table[:, 0], table[:, 3], table[:, BEFORE:]
+    odd = pair % 2 == 1
+    predicted = np.empty(len(won))
+    for side in (odd, ~odd):
+        predicted[~side] = expit(features[~side] @ fitted(features[side], won[side]))
+    markov = table[:, 4]
+    weights = fitted(features, won)
     result = {
-        "frames": len(np.unique(frame)),
-        "positions": len(frame),
+        "pairs": len(np.unique(pair)),
+        "positions": len(pair),
         "weights": dict(zip(names, map(float, np.round(weights, 6)), strict=True)),
         "log_loss": {
-            "logistic": log_loss(value, won[~odd]),
-            "markov": log_loss(markov, won[~odd]),
-            "constant": log_loss(np.full(len(value), won[odd].mean()), won[~odd]),
+            "logistic": log_loss(predicted, won),
+            "markov": log_loss(markov, won),
+            "constant": log_loss(np.full(len(won), won.mean()), won),
         },
-        "calibration": calibration(value, won[~odd]),
-        "calibration_of_markov": calibration(markov, won[~odd]),
+        "calibration": calibration(predicted, won),
+        "calibration_of_markov": calibration(markov, won),
     }
     print(path.stem, json.dumps(result["log_loss"]), file=sys.stderr)
     return result
 
 
 def fitted(features: Array, won: Array) -> Array:
-    """The weights of least log loss."""
+    """The weights of least log loss; the penalty is on features scaled to unit variance."""
+    mean, deviation = features.mean(axis=0), features.std(axis=0)
+    # The first feature is constant, and so are those that a game does not have.
+    used = deviation > 1e-9
+    scaled = np.where(used, (features - mean) / np.where(used, deviation, 1.0), 0.0)
+    scaled[:, 0] = 1.0
 
     def loss(weights: Array) -> tuple[float, Array]:
-        score = features @ weights
-        total = np.mean(np.logaddexp(0.0, score) - won * score) + RIDGE * (weights @ weights)
-        slope = features.T @ (expit(score) - won) / len(won) + 2.0 * RIDGE * weights
+        score = scaled @ weights
+        kept = np.concatenate([[0.0], weights[1:]])
+        total = np.mean(np.logaddexp(0.0, score) - won * score) + RIDGE * (kept @ kept)
+        slope = scaled.T @ (expit(score) - won) / len(won) + 2.0 * RIDGE * kept
         return float(total), slope
 
-    best = minimize(loss, np.zeros(features.shape[1]), jac=True, method="L-BFGS-B")
-    return np.asarray(best.x)
+    best = minimize(loss, np.zeros(features.shape[1]), jac=True, method="L-BFGS-B").x
+    weights = np.where(used, best / np.where(used, deviation, 1.0), 0.0)
+    weights[0] = best[0] - weights @ mean
+    return np.asarray(weights)
 
 
 def log_loss(value: Array, won: Array) -> float:

@@ -15,7 +15,7 @@ use crate::targets::Targets;
 
 /// Cosine of the largest cut angle of a line: 82°. Thinner cuts send the ball away with less than
 /// a seventh of the speed.
-const THINNEST: f64 = 0.139;
+pub(crate) const THINNEST: f64 = 0.139;
 /// The width of a pocket as counted, over that of geometry: a ball that touches a jaw or a facing
 /// often falls. Fitted, as [`FALLS`], to 2700 plays of eight-ball at the Olympiad's noise (the
 /// example `self_play` with 1500 simulations a decision, 60 frames, each play counted 90 times).

@@ -3,7 +3,7 @@
 //! All positions are in the engine's frame: the origin is the table's centre.
 
 use carom::Table;
-use carom::math::{Vec2, asin, atan2, sqrt};
+use carom::math::{Vec2, asin, sqrt};
 use carom_plan::Prepared;
 use carom_rules::{BallIndex, Frame, FrameLayout, MOST_BALLS};
 
@@ -122,15 +122,24 @@ impl<'a> Scene<'a> {
         // The jaw to the right of the line of sight limits the window on the right.
         let (right, left) = if to_middle.cross(a - from) < 0.0 { (a, b) } else { (b, a) };
         let clearance = CLEARANCE_AT_JAW * radius;
-        let least = angle_past(to_middle, right - from, clearance);
-        let most = angle_past(to_middle, left - from, -clearance);
-        if least >= most {
+        let least = way_past(right - from, clearance);
+        let most = way_past(left - from, -clearance);
+        if least.cross(most) <= 0.0 {
             return None;
         }
-        let (sin, cos) = carom::math::sin_cos(0.5 * (least + most));
-        let unit = to_middle * (1.0 / distance);
-        let way = unit * cos + unit.perp() * sin;
-        Some(Window { way, half_width: 0.5 * (most - least), distance })
+        let (sum, chord) = (least + most, most - least);
+        let way = sum * (1.0 / sqrt(sum.length_squared()));
+        let half_width = asin((0.5 * sqrt(chord.length_squared())).min(1.0));
+        Some(Window { way, half_width, distance })
+    }
+
+    /// Whether a ball of `radius` can lie at `place` (m) without touching a ball other than those in
+    /// `except`.
+    pub fn is_clear_place(&self, place: Vec2, radius: f64, except: &[BallIndex]) -> bool {
+        self.balls().iter().all(|ball| {
+            let reach = radius + ball.radius + SPARE;
+            (ball.center - place).length_squared() >= reach * reach || except.contains(&ball.index)
+        })
     }
 
     /// The nearest distance of a ball's centre to the nose lines, m: half the playing area, less
@@ -141,11 +150,14 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// The angle (rad), from the direction `middle`, of a line that passes the point `jaw` at
-/// `clearance` (m) on its left; on its right, if the clearance is negative.
-fn angle_past(middle: Vec2, jaw: Vec2, clearance: f64) -> f64 {
-    let angle = atan2(middle.cross(jaw), middle.dot(jaw));
-    angle + asin((clearance / jaw.length()).clamp(-1.0, 1.0))
+/// The direction, a unit vector, of a line that passes the point `jaw` at `clearance` (m) on its left; on its
+/// right, if the clearance is negative.
+fn way_past(jaw: Vec2, clearance: f64) -> Vec2 {
+    let inverse = 1.0 / sqrt(jaw.length_squared());
+    let unit = jaw * inverse;
+    // The sine of the angle between the line and the jaw.
+    let sin = (clearance * inverse).clamp(-1.0, 1.0);
+    unit * sqrt(1.0 - sin * sin) + unit.perp() * sin
 }
 
 /// The ghost ball: where the centre of a ball must be to send a ball at `object` along the unit

@@ -1,35 +1,35 @@
 //! What the logistic regression sees of a position.
 
-use carom::math::log;
-use carom_rules::games::GameState;
-use carom_rules::games::eight_ball::Group;
-use carom_rules::{BallIndex, Frame, Rules, Seat, Turn};
+use carom::math::{exp, log};
+use carom_rules::{Frame, MOST_BALLS, Rules, Seat, Turn};
 
-use super::lanes::KEPT;
-use super::{Lanes, Markov, Position, Reference};
-use crate::scene::Scene;
-use crate::targets::balls_left;
+use super::needs::{Needs, only};
+use super::ways::{Ease, Ways, log_in_run};
+use super::{Markov, Position, Reference};
+use crate::targets::{Targets, balls_left};
 
 /// Number of features.
-pub const COUNT: usize = 15;
+pub const COUNT: usize = 17;
 
 /// Their names, in order.
 pub const NAMES: [&str; COUNT] = [
     "one",
-    "markov",
-    "best pot",
-    "second pot",
-    "third pot",
-    "in hand",
-    "usual pot",
-    "open balls",
-    "other's open balls",
-    "fouls",
-    "other's fouls",
-    "lead",
     "slow markov",
-    "balls",
+    "best pot",
+    "next pot",
+    "mean next pot",
+    "usual pot",
+    "chain by eases",
+    "chain by next pot",
+    "other's run-out",
+    "ease",
+    "least ease",
+    "other's least ease",
+    "last ball's ease",
+    "lead",
     "other's balls",
+    "open table",
+    "fouls",
 ];
 
 /// Odds are kept within this probability of 0 and 1.
@@ -45,57 +45,77 @@ impl Features {
         let frame = position.frame;
         let (own, other) = (turn.player, 1 - turn.player);
         let noise = &position.noise[own];
-        let in_hand = turn.hand.is_some();
-        let lanes = Lanes::of(frame, turn, noise);
-        let [first, second, third]: [f64; KEPT] = lanes.chances;
-        let [fouls, other_fouls] = [own, other].map(|seat| f64::from(frame.fouls_in_a_row()[seat]));
+        let (ways, needs) = (Ways::of(frame, turn), Needs::of(frame, turn));
+        let chances = ways.chances(noise);
+        let others = if position.noise[other] == *noise {
+            chances
+        } else {
+            ways.chances(&position.noise[other])
+        };
+        let [ours, theirs] = eases(&needs, own, (&chances, &others));
+        let on = Targets::of(frame, turn).first.iter().fold(0, |set, ball| set | only(*ball));
+        let promise = ways.promise(turn, (on, |ball| needs.after(ball)), noise);
+        // The first pot from where the cue ball lies, and all other balls from usual places.
+        let first_ball = promise.ball.map_or(0.0, |ball| log_in_run(chances[usize::from(ball)]));
+        let rest = ours.log_run - first_ball;
+        let by_eases = exp(log_in_run(promise.first) + rest);
+        // The same with the first two pots, and the further balls as easy as those.
+        let left = ours.count.saturating_sub(1) as f64;
+        let further = if left > 1.0 { rest * (left - 1.0) / left } else { 0.0 };
+        let by_next = promise.mean_next * exp(further);
+        let run_of_other = exp(theirs.log_run);
+        let usual = Reference::of(frame, noise).chance;
+        let fouls = [own, other].map(|seat| f64::from(frame.fouls_in_a_row()[seat]));
         Self([
             1.0,
-            odds(Markov::default().shooter(position, turn, first)),
-            first,
-            second,
-            third,
-            f64::from(u8::from(in_hand)),
-            Reference::of(frame, noise).chance,
-            open_balls(frame, turn, own),
-            open_balls(frame, turn, other),
-            fouls,
-            other_fouls,
+            odds(Markov::slow().shooter(position, turn, promise.first)),
+            promise.first,
+            promise.next,
+            promise.mean_next,
+            usual,
+            odds(chain(by_eases, run_of_other)),
+            odds(chain(by_next, run_of_other)),
+            theirs.log_run,
+            ours.mean,
+            ours.least,
+            theirs.least,
+            Ease::of(needs.last(), &chances).mean,
             lead(frame, own),
-            odds(Markov::slow().shooter(position, turn, first)),
-            balls_left(frame, own) as f64 / 8.0,
             balls_left(frame, other) as f64 / 8.0,
+            f64::from(u8::from(needs.is_open())),
+            fouls[1] - fouls[0],
         ])
     }
+}
+
+/// The chance of winning of a player who runs out with the chance `own`, or else the other player does with the chance
+/// `other`, or else both are equal.
+fn chain(own: f64, other: f64) -> f64 {
+    own + (1.0 - own) * (1.0 - other) * 0.5
+}
+
+/// How easily the balls of the player at the table go in, and those of the other player. On an open table of
+/// eight-ball the player at the table takes the easier group.
+fn eases(
+    needs: &Needs,
+    own: Seat,
+    (chances, others): (&[f64; MOST_BALLS], &[f64; MOST_BALLS]),
+) -> [Ease; 2] {
+    let (balls, balls_of_other) = (needs.balls(own), needs.balls(1 - own));
+    let ours = Ease::of(balls, chances);
+    if needs.is_open() {
+        let swapped = Ease::of(balls_of_other, chances);
+        if swapped.log_run > ours.log_run {
+            return [swapped, Ease::of(balls, others)];
+        }
+    }
+    [ours, Ease::of(balls_of_other, others)]
 }
 
 /// The logarithm of the odds of a probability.
 fn odds(probability: f64) -> f64 {
     let kept = probability.clamp(LEAST, 1.0 - LEAST);
     log(kept / (1.0 - kept))
-}
-
-/// The share of a seat's balls that can go straight into some pocket. 1 where the balls are shared
-/// and none is left.
-fn open_balls(frame: &Frame, turn: &Turn, seat: Seat) -> f64 {
-    let scene = Scene::new(frame);
-    let is_wanted = |ball: BallIndex| match frame.game_state() {
-        GameState::EightBall(game) => game.group(seat).is_none_or(|g| Group::of(ball) == Some(g)),
-        _ => true,
-    };
-    let balls = scene.balls().iter().filter(|ball| ball.index != turn.cue && is_wanted(ball.index));
-    let (mut open, mut all) = (0_u32, 0_u32);
-    for ball in balls {
-        all += 1;
-        let is_open = (0..scene.table.pockets.len()).any(|pocket| {
-            scene.window(ball.center, ball.radius, pocket).is_some_and(|window| {
-                let target = ball.center + window.way * window.distance;
-                scene.is_clear(ball.center, target, ball.radius, &[ball.index, turn.cue])
-            })
-        });
-        open += u32::from(is_open);
-    }
-    if all == 0 { 1.0 } else { f64::from(open) / f64::from(all) }
 }
 
 /// The lead of a seat: in balls, or in points as a share of what is at stake.

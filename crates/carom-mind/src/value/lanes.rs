@@ -107,7 +107,13 @@ impl Reference {
         let [a, b] = pocket.mouth;
         let from = (a + b) * 0.5 - pocket.axis * (Self::FAR * width);
         let half = scene.window(from, radius, 0).map_or(0.0, |window| window.half_width);
-        let turn = (Self::NEAR * width / (2.0 * radius * Self::FULLNESS)).max(1.0);
-        Self { chance: chance_within(half / turn, direction_error(noise, radius)) }
+        let tolerance = usual_tolerance(half, radius, width);
+        Self { chance: chance_within(tolerance, direction_error(noise, radius)) }
     }
+}
+
+/// Half of the width (rad) within which the cue ball's direction must lie for a usual pot into a window of
+/// half the width `half` (rad). `radius` is a ball's and `width` the table's, m.
+pub(super) fn usual_tolerance(half: f64, radius: f64, width: f64) -> f64 {
+    half / (Reference::NEAR * width / (2.0 * radius * Reference::FULLNESS)).max(1.0)
 }

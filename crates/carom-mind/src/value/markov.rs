@@ -25,6 +25,8 @@ const AFTER_SAFETY: f64 = 0.45;
 const SPREAD: f64 = 0.45;
 /// Points of a visit in snooker for a player who pots every second ball. Estimated.
 const PER_BALL: f64 = 3.5;
+/// One more than the largest counts of eight-ball: seven balls and the eight.
+const FEW: usize = 9;
 /// The largest counts of the chain. Longer races are scaled down to this many points.
 const MOST: usize = 40;
 
@@ -190,7 +192,15 @@ impl Chain {
 
 /// W(n, m) of the chain; the player at the table has the chance `run[0]` a shot.
 fn solve(n: usize, m: usize, run: [f64; 2]) -> f64 {
-    let (n, m) = (n.min(MOST), m.min(MOST));
+    // Short rows for the counts of eight-ball, which are valued most often.
+    if n.max(m) < FEW {
+        return solve_within::<FEW>(n, m, run);
+    }
+    solve_within::<{ MOST + 1 }>(n.min(MOST), m.min(MOST), run)
+}
+
+/// [`solve`] for counts below `N`.
+fn solve_within<const N: usize>(n: usize, m: usize, run: [f64; 2]) -> f64 {
     if n == 0 {
         return 1.0;
     }
@@ -199,9 +209,9 @@ fn solve(n: usize, m: usize, run: [f64; 2]) -> f64 {
     }
     // own[k]: W(k, j) for the first player, with j balls left to the second, row by row in j.
     let [p, q] = run;
-    let (mut own, mut next) = ([1.0; MOST + 1], [1.0; MOST + 1]);
+    let (mut own, mut next) = ([1.0; N], [1.0; N]);
     // other[k]: the second player at the table with j balls left, the first with k.
-    let (mut other, mut next_other) = ([0.0; MOST + 1], [0.0; MOST + 1]);
+    let (mut other, mut next_other) = ([0.0; N], [0.0; N]);
     // Row j = 0: the second player has won.
     for k in 1..=n {
         own[k] = 0.0;

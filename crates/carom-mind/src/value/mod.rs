@@ -4,6 +4,8 @@ pub mod features;
 mod lanes;
 mod logistic;
 mod markov;
+mod needs;
+mod ways;
 mod weights;
 
 pub use features::Features;

@@ -1,0 +1,97 @@
+//! Which balls the two players have to pot to win.
+
+use carom_rules::games::GameState;
+use carom_rules::games::eight_ball::Group;
+use carom_rules::{BallIndex, Frame, Rules, Seat, Turn};
+
+use crate::targets::EIGHT;
+
+/// A set of balls: bit k for ball k. A frame has at most 22 balls.
+pub(crate) type BallSet = u32;
+
+/// The set of one ball.
+pub(crate) const fn only(ball: BallIndex) -> BallSet {
+    1 << ball
+}
+
+/// The balls that the players have to pot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Needs {
+    /// The object balls on the table.
+    all: BallSet,
+    /// The balls of each seat before the last one. On an open table of eight-ball the solids and the
+    /// stripes; in games with shared balls all balls.
+    groups: [BallSet; 2],
+    /// The eight of eight-ball.
+    last: BallSet,
+    order: Order,
+}
+
+/// In which order the balls are potted.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Order {
+    /// In that of their numbers.
+    Numbers,
+    /// The balls of the player's group in any order, then the eight. None while the table is open.
+    Group(Option<Seat>),
+    /// Any.
+    Free,
+}
+
+impl Needs {
+    /// What the players of `frame` need, whose request is `turn`.
+    pub(crate) fn of(frame: &Frame, turn: &Turn) -> Self {
+        let on_table = frame.layout().on_table().filter(|ball| *ball != turn.cue);
+        let all = on_table.fold(0, |set, ball| set | only(ball));
+        let GameState::EightBall(game) = frame.game_state() else {
+            let order = match frame.rules() {
+                Rules::NineBall | Rules::TenBall => Order::Numbers,
+                _ => Order::Free,
+            };
+            return Self { all, groups: [all; 2], last: 0, order };
+        };
+        let of_group = |group: Group| {
+            let balls = (1..=15).filter(|ball| Group::of(*ball) == Some(group));
+            balls.fold(0, |set, ball| set | only(ball)) & all
+        };
+        let groups = match game.group(0) {
+            None | Some(Group::Solids) => [Group::Solids, Group::Stripes],
+            Some(Group::Stripes) => [Group::Stripes, Group::Solids],
+        };
+        let owner = game.group(turn.player).map(|_| turn.player);
+        let order = Order::Group(owner);
+        Self { all, groups: groups.map(of_group), last: only(EIGHT) & all, order }
+    }
+
+    /// Whether the groups of eight-ball are still open.
+    pub(crate) fn is_open(&self) -> bool {
+        self.order == Order::Group(None)
+    }
+
+    /// The balls of `seat`, with the last one. On an open table those of group number `seat`.
+    pub(crate) const fn balls(&self, seat: Seat) -> BallSet {
+        self.groups[seat] | self.last
+    }
+
+    /// The eight of eight-ball; empty in other games.
+    pub(crate) const fn last(&self) -> BallSet {
+        self.last
+    }
+
+    /// The balls on for the same player after `ball` is potted.
+    pub(crate) fn after(&self, ball: BallIndex) -> BallSet {
+        let left = self.all & !only(ball);
+        let group = match self.order {
+            // The lowest bit.
+            Order::Numbers => return left & left.wrapping_neg(),
+            Order::Free => return left,
+            Order::Group(Some(seat)) => self.groups[seat],
+            Order::Group(None) => {
+                let [solids, stripes] = self.groups;
+                if solids & only(ball) != 0 { solids } else { stripes }
+            }
+        };
+        let rest = group & !only(ball);
+        if rest != 0 { rest } else { self.last & !only(ball) }
+    }
+}
