@@ -37,7 +37,8 @@ pub struct SearchSettings {
     pub racing: usize,
     /// Number of safeties among them.
     pub safeties: usize,
-    /// Simulations of the first round. Each further round has twice as many.
+    /// Simulations of the first round: of a usual shot; more with the cue ball in hand and for opening
+    /// shots. Each further round has twice as many.
     pub first_round: u64,
     /// Share of a further round's simulations that look for neighbours of the best plays. 0 to 0.9.
     pub refining: f64,
@@ -68,11 +69,11 @@ impl Default for SearchSettings {
     fn default() -> Self {
         Self {
             method: SearchMethod::Race,
-            exploring: 0.45,
+            exploring: 0.6,
             racing: 48,
             safeties: 12,
-            first_round: 1500,
-            refining: 0.25,
+            first_round: 300,
+            refining: 0.5,
             replying: 0.0,
             finalists: 6,
             per_reply: 60,

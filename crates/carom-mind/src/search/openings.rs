@@ -25,8 +25,9 @@ const SEARCHING: f64 = 0.5;
 const MOST_TO_SEARCH: u64 = 40_000;
 /// Breaks of a search that enter the race.
 const FROM_SEARCH: usize = 3;
-/// Simulations of the first round for each break, and the most breaks.
+/// Simulations of the first round for each break, those for all of them, and the most breaks.
 const PER_BREAK: u64 = 100;
+const RACED: u64 = 1500;
 const MOST_BREAKS: u64 = 16;
 /// Standard deviations of the variants of a break, as a share of the ranges that are searched: of one
 /// that was searched on this table, and of one of a similar table.
@@ -72,7 +73,7 @@ pub(crate) fn opening_shots(
         // A short search may not find a better break than the one with which it began.
         shots.extend(search.best().take(FROM_SEARCH));
     }
-    let size = settings.first_round.min(budget.simulations);
+    let size = RACED.min(budget.simulations);
     let count = (size / PER_BREAK).clamp(1, MOST_BREAKS) as usize;
     variants(situation, &shots, (if is_known { NEAR } else { FAR }, count))
 }

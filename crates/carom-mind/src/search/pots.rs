@@ -21,14 +21,20 @@ const SPEEDS: [f64; 9] = [0.35, 0.5, 0.7, 1.0, 1.4, 2.0, 2.8, 4.0, 5.6];
 /// change most of the cue ball's way; side changes it after a cushion.
 const HEIGHTS: [f64; 5] = [0.0, -0.85, 0.85, -0.45, 0.45];
 const SIDES: [f64; 3] = [0.0, -0.7, 0.7];
+/// Number of the heights in the coarse lattice, the first ones.
+const COARSE_HEIGHTS: usize = 3;
 /// Largest offset of the tip as a share of the miscue limit, without errors. Near the limit a small
 /// error of the tip would slip off.
 const OFFSET_USED: f64 = 0.75;
 /// Number of standard deviations of the tip's errors by which a play keeps away from the miscue
 /// limit. Drawn strikes beyond it are moved back, so they must not look attractive.
 const AWAY: f64 = 2.5;
-/// Lines that are less probable than this are not tried.
+/// Lines that are less probable than this, or than this share of the most probable one, are not tried.
 const LEAST_CHANCE: f64 = 0.02;
+const LEAST_SHARE: f64 = 0.5;
+/// A ball that is on its way into the pocket but does not fall was too slow, if the cue was slower than this
+/// multiple of the least speed by geometry. A faster ball has bounced off a jaw.
+const SLOW: f64 = 2.5;
 /// Number of lines that are tried, the most probable.
 const MOST_LINES: usize = 14;
 /// Share of the tolerance by which a missed shot is turned to value what it leaves.
@@ -57,10 +63,16 @@ pub(crate) struct KnownLine {
     /// The turn of the azimuth from geometry's, and the slope of the miss, of the last strike that
     /// potted the ball.
     turned: Option<(f64, f64)>,
+    /// The least speed of the cue ball by geometry, m/s.
+    least_speed: f64,
+    /// The highest speed of the cue at which the ball does not reach the pocket, as far as is known, m/s.
+    too_slow: f64,
     /// The value of a missed shot by its speed, of those that were tried.
     missed: [Option<f64>; SPEEDS.len()],
     /// The highest prior of a play on this line.
     best: f64,
+    /// Number of strikes of the coarse lattice that were tried.
+    tried: usize,
 }
 
 impl Explorer<'_> {
@@ -74,20 +86,24 @@ impl Explorer<'_> {
         line::kicks(&scene, &self.targets, &mut lines);
         let noise = &self.situation.noise[self.seat()];
         let radius = scene.ball(self.turn.cue).map_or(0.03, |ball| ball.radius);
+        let physics = prepared.shot().physics();
+        let rolling = physics.gravity * physics.cloth.rolling_friction.at(SPEEDS[0]);
         let known = |line: Line| {
-            let chance = line.chance(noise, radius);
-            let missed = [None; SPEEDS.len()];
-            KnownLine { line, place, chance, turned: None, missed, best: 0.0 }
+            let (chance, least_speed) = (line.chance(noise, radius), line.least_speed(rolling));
+            let (missed, too_slow) = ([None; SPEEDS.len()], least_speed);
+            let (turned, best, tried) = (None, 0.0, 0);
+            KnownLine { line, place, chance, turned, least_speed, too_slow, missed, best, tried }
         };
-        let mut rated: Vec<KnownLine> =
-            lines.into_iter().map(known).filter(|known| known.chance > LEAST_CHANCE).collect();
+        let mut rated: Vec<KnownLine> = lines.into_iter().map(known).collect();
+        let best = rated.iter().map(|known| known.chance).fold(0.0, f64::max);
+        rated.retain(|known| known.chance > LEAST_CHANCE.max(LEAST_SHARE * best));
         rated.sort_by(|a, b| b.chance.total_cmp(&a.chance));
         rated.truncate(MOST_LINES);
         rated
     }
 
-    /// Adds the strikes that pot a ball: first a coarse lattice on every line, then the rest of it
-    /// while simulations are left.
+    /// Adds the strikes that pot a ball from one prepared position: first those of the coarse lattice on every
+    /// line, then the rest of it while simulations are left.
     ///
     /// # Errors
     /// As [`Explorer::ruled`].
@@ -96,29 +112,61 @@ impl Explorer<'_> {
         prepared: &Prepared<'_>,
         lines: &mut [KnownLine],
     ) -> Result<(), Error> {
-        let most = self.largest_offset(prepared);
-        // Coarse first: every second speed, heights of the ends and the middle, no side.
-        let coarse = |s: usize, h: usize, x: usize| s % 2 == 1 && h < 3 && x == 0;
-        for pass in [true, false] {
-            for known in lines.iter_mut() {
-                if !pass && known.best == 0.0 {
-                    continue;
-                }
-                for (s, speed) in SPEEDS.iter().enumerate() {
-                    for (h, height) in HEIGHTS.iter().enumerate() {
-                        for (x, side) in SIDES.iter().enumerate() {
-                            if coarse(s, h, x) != pass || self.is_spent() {
-                                continue;
-                            }
-                            let out = (height * height + side * side).sqrt().max(1.0);
-                            let offsets = [most * side / out, most * height / out];
-                            self.pot(prepared, known, (*speed, offsets))?;
+        for known in lines.iter_mut() {
+            self.coarse_pots(prepared, known)?;
+        }
+        for known in lines.iter_mut().filter(|known| known.best > 0.0) {
+            for speed in 0..SPEEDS.len() {
+                for height in 0..HEIGHTS.len() {
+                    for side in 0..SIDES.len() {
+                        let is_coarse = speed % 2 == 1 && height < COARSE_HEIGHTS && side == 0;
+                        if !is_coarse && !self.is_spent() {
+                            self.lattice_pot(prepared, known, [speed, height, side])?;
                         }
                     }
                 }
             }
         }
         Ok(())
+    }
+
+    /// Goes on with the coarse lattices for which earlier rounds had no simulations left.
+    ///
+    /// # Errors
+    /// As [`Explorer::ruled`].
+    pub(crate) fn untried_pots(
+        &mut self,
+        prepared: &[Prepared<'_>],
+        lines: &mut [KnownLine],
+    ) -> Result<(), Error> {
+        for known in lines {
+            self.coarse_pots(&prepared[known.place], known)?;
+        }
+        Ok(())
+    }
+
+    /// Goes on with the coarse lattice of a line: every second speed, heights of the ends and the middle, no
+    /// side.
+    fn coarse_pots(&mut self, prepared: &Prepared<'_>, known: &mut KnownLine) -> Result<(), Error> {
+        while known.tried < COARSE_HEIGHTS * (SPEEDS.len() / 2) && !self.is_spent() {
+            let (speed, height) = (known.tried / COARSE_HEIGHTS, known.tried % COARSE_HEIGHTS);
+            known.tried += 1;
+            self.lattice_pot(prepared, known, [2 * speed + 1, height, 0])?;
+        }
+        Ok(())
+    }
+
+    /// The strike of the lattice with these numbers of the speed, height and side.
+    fn lattice_pot(
+        &mut self,
+        prepared: &Prepared<'_>,
+        known: &mut KnownLine,
+        [speed, height, side]: [usize; 3],
+    ) -> Result<(), Error> {
+        let most = self.largest_offset(prepared);
+        let (height, side) = (HEIGHTS[height], SIDES[side]);
+        let out = sqrt(height * height + side * side).max(1.0);
+        self.pot(prepared, known, (SPEEDS[speed], [most * side / out, most * height / out]))
     }
 
     /// Adds strikes with any speed and spin on the lines on which something was found, those with the
@@ -173,6 +221,9 @@ impl Explorer<'_> {
         known: &mut KnownLine,
         (speed, offsets): (f64, [f64; 2]),
     ) -> Result<(), Error> {
+        if speed <= known.too_slow {
+            return Ok(());
+        }
         let start = start(prepared, known, (speed, offsets));
         let line = known.line;
         let mut plays = 0;
@@ -180,6 +231,9 @@ impl Explorer<'_> {
         self.plays += plays;
         let Some(aimed) = aimed? else { return Ok(()) };
         if !aimed.is_potted {
+            if speed < SLOW * known.least_speed {
+                known.too_slow = speed;
+            }
             return Ok(());
         }
         let turned = aimed.strike.azimuth - geometric_azimuth(prepared, &line, offsets[0]);

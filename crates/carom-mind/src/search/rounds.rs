@@ -2,7 +2,7 @@
 //! that one has found.
 
 use carom::Error;
-use carom_rules::{Rules, Turn};
+use carom_rules::{Frame, Rules, Turn};
 
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
@@ -35,10 +35,17 @@ const KEPT: usize = 16;
 /// Simulations of a round for each new candidate that enters its race, and the most of them.
 const PER_CANDIDATE: u64 = 24;
 const MOST_NEW: u64 = 1000;
-/// Shares of a further round's exploration for neighbours of the best plays, and for any hits of a
-/// ball on; the rest goes to further strikes on the lines of pots.
+/// Share of a further round's exploration for lines that no round has tried yet.
+const UNTRIED: f64 = 0.3;
+/// Shares of a further round's exploration for neighbours of the best plays (of what is left then), and for any
+/// hits of a ball on; the rest goes to further strikes on the lines of pots.
 const NEAR: f64 = 0.4;
 const HITS: f64 = 0.25;
+/// Factors of the first round's simulations: where there are more plays, with the cue ball in hand or with
+/// push-outs; and for opening shots and three-cushion, where later rounds find nothing that is not near a play
+/// of the first one.
+const MORE_PLAYS: u64 = 3;
+const OPENING: u64 = 5;
 /// Finalists that are moved uphill.
 const SHIFTED: usize = 4;
 
@@ -119,7 +126,7 @@ impl Rounds {
         let fresh = settings.fresh(budget.simulations);
         let stating = (fresh * stated as u64).min(budget.simulations / 2);
         let racing = budget.simulations - stating;
-        let size = round_size(settings.first_round, racing);
+        let size = round_size(settings.first_round * first_factor(situation.frame, turn), racing);
         let (candidates, lines, spent) = (Vec::new(), Vec::new(), Spent::default());
         Self {
             openings: Vec::new(),
@@ -183,6 +190,9 @@ impl Rounds {
             let room = (self.size / PER_CANDIDATE).min(MOST_NEW);
             self.candidates = select(explorer.found, settings, room as usize);
         } else {
+            if self.stated > 1 {
+                distinct_first(&mut self.candidates);
+            }
             self.candidates.truncate(KEPT);
             known = self.candidates.len();
             if settings.shift && !in_tree {
@@ -190,7 +200,10 @@ impl Rounds {
             }
             let refining = settings.refining * self.size as f64;
             let round = self.races - 1;
-            explorer.most = (NEAR * refining) as u64;
+            explorer.most = (UNTRIED * refining) as u64;
+            explorer.untried_pots(prepared, &mut self.lines)?;
+            let rest = refining - explorer.plays as f64;
+            explorer.most = explorer.plays + (NEAR * rest) as u64;
             explorer.refine((prepared, &mut self.lines), &self.candidates, round)?;
             explorer.most = ((1.0 - HITS) * refining) as u64;
             let first = self.strikes;
@@ -238,6 +251,16 @@ impl Rounds {
         let stated = stated.min(candidates.len());
         spent.simulations += task.race(&prepared).freshen(&mut candidates[..stated], fresh)?;
         Ok(Found { candidates, prepared, spent })
+    }
+}
+
+/// By how much the first round is larger than that of a usual shot.
+fn first_factor(frame: &Frame, turn: &Turn) -> u64 {
+    match turn.hand {
+        _ if frame.is_opening() || frame.rules() == Rules::ThreeCushion => OPENING,
+        Some(_) => MORE_PLAYS,
+        None if turn.calls.push_out => MORE_PLAYS,
+        None => 1,
     }
 }
 
