@@ -176,6 +176,15 @@ for other in ("pick-pocket", "greedy"):
     EXPERIMENTS[f"bar-carom-{other}"] = Match(
         "carom:3000", f"{other}:3000", pairs=100, table="poolfiz", same_break="head"
     )
+# How much PickPocket leaves to a player who makes no errors, with the same break.
+EXPERIMENTS["bound-carom-pick-pocket"] = Match(
+    "carom:3000",
+    "pick-pocket:3000",
+    pairs=100,
+    noise=(0.0, 1.0),
+    table="poolfiz",
+    same_break="head",
+)
 # Five milliseconds a decision: 250 simulated shots of 20 µs.
 EXPERIMENTS["bar-5-ms-greedy"] = Match(
     "carom:250", "greedy[aim=simulated]:3000", pairs=100, same_break="head"

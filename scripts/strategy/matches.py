@@ -21,8 +21,9 @@ class Match:
     one: str
     other: str
     pairs: int
-    #: The noise of both players as a multiple of the Olympiad's; None for that of their levels.
-    noise: float | None = 1.0
+    #: The noise of both players, or of each, as a multiple of the Olympiad's; None for that of their
+    #: levels.
+    noise: float | tuple[float, float] | None = 1.0
     game: str = "eight-ball"
     table: str | None = None
     #: Simulated shots of a frame for each player; in place of those of a decision.
@@ -46,7 +47,7 @@ class Match:
             out=folder,
             game=self.game,
             pairs=self.pairs,
-            noise=None if self.noise is None else Noise.preset(f"olympiad:{self.noise}"),
+            noise=self._noise(),
             table=self.table,
             frame_simulations=self.frame_simulations,
             breaker=self.breaker,
@@ -60,6 +61,14 @@ class Match:
         del score["record"]
         assert result.record is not None
         return {"players": [self.one, self.other], **score, **counts(result.record)}
+
+    def _noise(self) -> Noise | tuple[Noise, Noise] | None:
+        if self.noise is None:
+            return None
+        if isinstance(self.noise, tuple):
+            one, other = (Noise.preset(f"olympiad:{multiple}") for multiple in self.noise)
+            return one, other
+        return Noise.preset(f"olympiad:{self.noise}")
 
     def _break(self) -> Play | None:
         if self.same_break is None:
