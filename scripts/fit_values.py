@@ -2,7 +2,7 @@
 
     for noise in 0.5 0.7 1 1.4 2 2.5; do
         carom match carom:300 carom:400 --game eight-ball --noise olympiad:$noise \\
-            --pairs 700 --secret $(printf eight-ball-$noise | sha256sum | cut -c1-64) --out played/$noise
+            --pairs 700 --secret $(printf eight-ball-$noise-b | sha256sum | cut -c1-64) --out played/$noise
     done
     cargo run --release -p carom-arena --example position_rows -- played/*/match.jsonl > eight-ball.csv
     python scripts/fit_values.py eight-ball.csv nine-ball.csv
