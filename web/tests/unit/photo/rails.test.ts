@@ -52,7 +52,7 @@ function worst({ camera, places }: Calibration): number {
 }
 
 test("the rails in a photo show the distortion that four taps cannot", () => {
-  // Seen: with the corners only, layouts were wrong by 9.7 mm in the median; 5.5 mm with the true distortion.
+  // Seen: with the corners only, layouts were wrong by 10 mm in the median (docs/photo.md).
   const random = generator(1);
   const scene = lit(random, {
     table: TABLE.geometry,
