@@ -194,7 +194,7 @@ export class Session {
     const table = this.#landmarks;
     const source = [table, taps, turned, marked];
     if (source.every((part, k) => part === this.#source[k])) return;
-    // Another table, and landmarks that are marked anew, may show another distortion.
+    // Another table, and landmarks that are marked again, may show another distortion.
     if (table !== this.#source[0] || !marked) this.#k1 = null;
     this.#source = source;
     const { width, height } = this.#pixels;

@@ -86,7 +86,7 @@ function chancesInWords(meant: Recommendation): string[] {
     }),
     t("reason.win", { win: percent(meant.win_chance) }),
   ];
-  // A safety gives the turn away: both cases would repeat what is said.
+  // After a safety the other player shoots: both cases would repeat what is said.
   if (Math.round(100 * meant.kept.probability) === 0) return chances;
   return [
     ...chances,
