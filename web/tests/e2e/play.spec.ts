@@ -436,3 +436,18 @@ test("the machine's worker starts when Play opens, so that its first move comes 
   await expect.poll(() => moves(page)).toBeGreaterThan(1);
   expect(page.workers().length).toBe(before + 1);
 });
+
+test("both names of a game are in one line at 844×390", async ({ open }) => {
+  // Seen: the second name took the line in which the referee says who shoots.
+  const page = await open({ viewport: { width: 844, height: 390 } });
+  await begin(page, { machine: "level-3" });
+  const tops = await page
+    .locator("#game-bar .score")
+    .evaluate((score) =>
+      [...score.children]
+        .filter((child) => child.getClientRects().length > 0)
+        .map((child) => Math.round(child.getBoundingClientRect().bottom)),
+    );
+  expect(tops.length).toBeGreaterThan(1);
+  expect(Math.max(...tops) - Math.min(...tops)).toBeLessThan(12);
+});
