@@ -68,7 +68,7 @@ test("the first steps can be skipped, do not come again, and the help begins the
 
 for (const viewport of [PHONE, { width: 844, height: 390 }]) {
   const size = `${viewport.width}×${viewport.height}`;
-  test(`what skips the first steps, starts a game and closes the help is in view at ${size}`, async ({
+  test(`what skips the first steps, starts a game, prints a sheet and closes the help is in view at ${size}`, async ({
     open,
   }) => {
     // Seen: Skip lay over a corner pocket; the other two were below the edge of their forms.
@@ -91,6 +91,10 @@ for (const viewport of [PHONE, { width: 844, height: 390 }]) {
       start.y + start.height / 2,
     ] as const);
     expect(shownAt).toBe("Start the game");
+    await page.getByRole("radio", { name: "Train" }).click();
+    await page.getByRole("button", { name: "Drills on the sheet" }).click();
+    const print = (await page.locator("#print-sheet").boundingBox())!;
+    expect(print.y + print.height).toBeLessThan(viewport.height);
     await page.locator("#table").focus();
     await page.keyboard.press("?");
     const close = await boxOf("Close");
