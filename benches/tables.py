@@ -403,6 +403,7 @@ def pockets(result: JSON) -> str:
 #: What places a ball in a photo: names in the result, and in the page.
 PHOTO_ROWS = {
     "tapped": "the tap itself",
+    "without rails": "the centre of the outline near the tap, without the rails",
     "refined": "the centre of the outline near the tap",
     "layout": "the layout after contacts and rails",
 }

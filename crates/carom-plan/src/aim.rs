@@ -17,7 +17,7 @@ const FIRST_STEPS: [f64; 5] = [4e-3, 0.05, 0.05, 0.05, 0.02];
 /// of a table. Larger values would miss narrow solutions, smaller ones would waste plays.
 const LEAST_STEP: f64 = 1e-5;
 /// Largest number of plays in one refinement: a few milliseconds.
-const MOST_PLAYS: u32 = 90;
+pub(crate) const MOST_PLAYS: u32 = 90;
 
 /// First step to the side of an azimuth that meets the goal, rad, and the farthest that is searched:
 /// 0.01° and 3°.
@@ -233,6 +233,16 @@ impl Free {
 /// Reduces the miss of a strike by a pattern search (Hooke & Jeeves 1961): one parameter at a time,
 /// with halved steps when no step helps.
 pub(crate) fn refine(tester: &mut GoalTester<'_>, start: TriedStrike, free: Free) -> TriedStrike {
+    refine_within(tester, start, free, MOST_PLAYS)
+}
+
+/// As [`refine`], with `most` plays.
+pub(crate) fn refine_within(
+    tester: &mut GoalTester<'_>,
+    start: TriedStrike,
+    free: Free,
+    most: u32,
+) -> TriedStrike {
     let mut best = start;
     let mut steps = FIRST_STEPS;
     let parameters = match free {
@@ -242,7 +252,7 @@ pub(crate) fn refine(tester: &mut GoalTester<'_>, start: TriedStrike, free: Free
         Free::Within(_) => steps.len(),
     };
     let mut plays = 0;
-    while !best.attempt.is_met() && steps[0] > LEAST_STEP && plays < MOST_PLAYS {
+    while !best.attempt.is_met() && steps[0] > LEAST_STEP && plays < most {
         let mut helped = false;
         for (parameter, step) in steps.iter().enumerate().take(parameters) {
             for sign in [1.0, -1.0] {

@@ -7,7 +7,7 @@
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, Shot};
 
-use crate::aim::{Free, TriedStrike, margins, refine, straight};
+use crate::aim::{Free, MOST_PLAYS, TriedStrike, margins, refine_within, straight};
 use crate::goal::{Goal, GoalTester};
 use crate::route::Route;
 
@@ -18,6 +18,10 @@ const TOO_FAR: f64 = 0.6;
 /// A strike is near a pot if its ball passes the pocket at less than this, m: a turn of a degree over
 /// the length of a table.
 const NEAR: f64 = 0.4;
+
+/// Plays that refine a near strike: half a millisecond or two. Those that need more are mostly lines that
+/// are lost; [`PotLines::All`] finds the others.
+const NEAR_PLAYS: u32 = 30;
 
 /// Azimuths on either side of the straight line that are tried besides, and their distance, rad: up to
 /// 16°. A raised cue with English swerves by as much.
@@ -44,7 +48,8 @@ pub struct PotAim {
 /// Which azimuths are tried.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PotLines {
-    /// Those near the shot's own: its ball must almost fall already.
+    /// Those near the shot's own: its ball must almost fall already. The search has few plays, for a picture
+    /// that waits for it.
     Near,
     /// These first; then direct lines; then banks, kicks and combinations.
     All,
@@ -66,7 +71,8 @@ pub fn pot_aim(
     let Some((_, strike)) = shot.strike() else { return Ok(None) };
     let mut tester = GoalTester::letting_scratch(shot, goal);
     let own = play(&mut tester, &strike).filter(|tried| tried.attempt.miss < NEAR);
-    let found = aimed(&mut tester, own.into_iter().collect());
+    let plays = if lines == PotLines::Near { NEAR_PLAYS } else { MOST_PLAYS };
+    let found = aimed(&mut tester, own.into_iter().collect(), plays);
     if found.is_some() || lines == PotLines::Near {
         return Ok(found);
     }
@@ -85,7 +91,7 @@ pub fn pot_aim(
             .collect();
         tried.sort_by(|a, b| a.attempt.miss.total_cmp(&b.attempt.miss));
         tried.truncate(REFINED);
-        let found = aimed(&mut tester, tried);
+        let found = aimed(&mut tester, tried, MOST_PLAYS);
         if found.is_some() {
             return Ok(found);
         }
@@ -93,9 +99,10 @@ pub fn pot_aim(
     Ok(None)
 }
 
-/// The first of these strikes that pots the ball on a simple line after it was refined.
-fn aimed(tester: &mut GoalTester<'_>, tried: Vec<TriedStrike>) -> Option<PotAim> {
-    let mut found = tried.into_iter().map(|start| refine(tester, start, Free::Azimuth));
+/// The first of these strikes that pots the ball on a simple line after it was refined, with `plays` each.
+fn aimed(tester: &mut GoalTester<'_>, tried: Vec<TriedStrike>, plays: u32) -> Option<PotAim> {
+    let mut found =
+        tried.into_iter().map(|start| refine_within(tester, start, Free::Azimuth, plays));
     let found = found.find(|tried| tried.attempt.is_met() && is_simple(&tried.attempt.route));
     found.map(|found| centered(tester, found))
 }

@@ -93,7 +93,7 @@ function mountParts(store: Store, context: Context, welcome: boolean): () => voi
   mountFriend(place("game-bar"), store, context);
   mountReload(store, context.engine);
   mountDiamonds(place("stage"), store, context);
-  const showSteps = mountOpening(place("first-use"), store, context, welcome);
+  const showSteps = mountOpening(place("shoot-button"), store, context, welcome);
   const openHelp = mountHelp(place("help") as HTMLDialogElement, store, context, showSteps);
   mountGestures(table, store, context);
   mountKeys(table, { store, context, openHelp });

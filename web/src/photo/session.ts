@@ -19,6 +19,7 @@ import { layout, type Layout, type TableOfPhoto } from "./geometry/layout.ts";
 import { locate, type Estimate } from "./geometry/locate.ts";
 import { contradicts, ENOUGH, fittingPreset, proportion } from "./geometry/proportion.ts";
 import type { Pixels } from "./picture/pixels.ts";
+import { straightened } from "./picture/rails.ts";
 import { refine, REFINED_ERROR } from "./picture/refine.ts";
 import { relativeSize } from "./picture/size.ts";
 
@@ -43,6 +44,9 @@ export class Session {
   #tray: readonly string[];
   #draft: Draft;
   #calibration: Calibration | null = null;
+  /** What the calibration was made of, and the distortion that the rails show; null if they show none. */
+  #source: readonly unknown[] = [];
+  #k1: number | null = null;
   #layout: Layout | null = null;
 
   constructor(engine: Engine, table: TableOfPhoto, pixels: Pixels) {
@@ -176,16 +180,30 @@ export class Session {
   }
 
   #compute(): void {
-    const { landmarks: taps, turned, balls } = this.#draft;
-    const { width, height } = this.#pixels;
-    this.#calibration =
-      this.#landmarks && taps.length >= 4
-        ? calibrate(this.#landmarks, taps, [width, height], turned)
-        : null;
+    const { balls } = this.#draft;
+    this.#calibrate();
     const found = balls.map((ball) => ({ id: ball.id, position: this.#estimate(ball)?.position }));
     const placed = found.flatMap(({ id, position }) => (position ? [{ id, position }] : []));
     this.#layout =
       placed.length === found.length ? layout(this.#engine, this.#table, placed) : null;
+  }
+
+  /** Calibrates the photo again, if its landmarks have changed; the rails help once all are marked. */
+  #calibrate(): void {
+    const { landmarks: taps, turned, marked } = this.#draft;
+    const table = this.#landmarks;
+    const source = [table, taps, turned, marked];
+    if (source.every((part, k) => part === this.#source[k])) return;
+    // Another table, and landmarks that are marked again, may show another distortion.
+    if (table !== this.#source[0] || !marked) this.#k1 = null;
+    this.#source = source;
+    const { width, height } = this.#pixels;
+    const found =
+      table && taps.length >= 4 ? calibrate(table, taps, [width, height], turned) : null;
+    this.#calibration = found;
+    if (!table || !found || !marked) return;
+    this.#calibration = straightened(found, table, taps, this.#pixels, this.#k1);
+    this.#k1 = this.#calibration === found ? null : this.#calibration.camera.k1;
   }
 
   #estimate({ pixel, refined }: MarkedBall): Estimate | null {

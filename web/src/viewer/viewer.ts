@@ -69,7 +69,8 @@ export class Viewer {
   readonly #rig: Rig;
   readonly #paths = new Paths();
   readonly #highlight = new Highlight();
-  readonly #aim = new Lines({ width: 1.1, opacity: 0.3 });
+  /** Dashes without gaps: the paths of the first picture have the same shader. */
+  readonly #aim = new Lines({ width: 1.1, opacity: 0.3, dash: [1, 0] });
   readonly #fan = new Fan();
   readonly #zone = new Fan();
   readonly #cue = new Cue();
@@ -106,6 +107,7 @@ export class Viewer {
     this.#reducedMotion = options.reducedMotion ?? false;
     this.#onChange = options.onChange ?? (() => undefined);
     this.#stage = new Stage(canvas, this.#scene, isSoftware());
+    this.#stage.smooths = false;
     this.#shadowsAllowed = options.shadows ?? true;
     this.#rig = new Rig(canvas, this.#reducedMotion, () => this.#invalidate());
     this.#governor = this.#newGovernor();
@@ -178,6 +180,7 @@ export class Viewer {
 
   set quality(quality: Quality) {
     this.#quality = quality;
+    this.#stage.smooths = true;
     this.#governor = this.#newGovernor();
     this.#applyLevel();
     this.#invalidate();
@@ -521,7 +524,9 @@ export class Viewer {
       // On a slow machine the next picture of a motion may be due by now: it goes first, and cancels this.
       this.#stillRequest = requestAnimationFrame(() => {
         if (this.#dirty) return;
-        this.#stillDue = true;
+        // The first rest smooths the table, the next one everything.
+        if (this.#stage.smooths) this.#stillDue = true;
+        else this.#stage.smooths = true;
         this.#invalidate();
       });
     }, STILL_DELAY);

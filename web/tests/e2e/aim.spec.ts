@@ -116,8 +116,8 @@ test("the played shot has the native engine's final positions and hash, to the b
   const page = await open();
   await speedField(page).fill("4.7");
   await speedField(page).press("Enter");
-  await page.getByLabel("Side in ball radii").fill("0.31");
-  await page.getByLabel("Side in ball radii").press("Enter");
+  await page.getByLabel("Side in tips").fill("1.86");
+  await page.getByLabel("Side in tips").press("Enter");
   await page.getByRole("button", { name: "Shoot" }).click();
   const ours = await page.evaluate(() => {
     const trace = window.carom!.store.session.trace!;

@@ -422,3 +422,32 @@ test("somebody alone has an opponent: the second player is a machine of level 3 
   ]);
   expect(await bar(page)).toMatch(/Player 1 to shoot/);
 });
+
+test("the machine's worker starts when Play opens, so that its first move comes at once", async ({
+  open,
+}) => {
+  // Seen: a break took 0.8 s, of which the search was a sixth; the rest was the start of the worker.
+  const page = await open({ viewport: WIDE });
+  const before = page.workers().length;
+  await page.getByRole("radio", { name: "Play" }).click();
+  await expect.poll(() => page.workers().length).toBe(before + 1);
+  await begin(page, { machine: "level-3" });
+  await foul(page);
+  await expect.poll(() => moves(page)).toBeGreaterThan(1);
+  expect(page.workers().length).toBe(before + 1);
+});
+
+test("both names of a game are in one line at 844×390", async ({ open }) => {
+  // Seen: the second name took the line in which the referee says who shoots.
+  const page = await open({ viewport: { width: 844, height: 390 } });
+  await begin(page, { machine: "level-3" });
+  const tops = await page
+    .locator("#game-bar .score")
+    .evaluate((score) =>
+      [...score.children]
+        .filter((child) => child.getClientRects().length > 0)
+        .map((child) => Math.round(child.getBoundingClientRect().bottom)),
+    );
+  expect(tops.length).toBeGreaterThan(1);
+  expect(Math.max(...tops) - Math.min(...tops)).toBeLessThan(12);
+});

@@ -8,7 +8,7 @@ import { h, uniqueId } from "../common/dom.ts";
 import { mountFace } from "./face.ts";
 import { follow, mountField } from "../form/field.ts";
 import type { Store } from "../document/store.ts";
-import { round, speedFrom, speedIn, type SpeedUnit, SPEED_UNITS } from "../common/units.ts";
+import { round, speedFrom, speedIn, type SpeedUnit, SPEED_UNITS, TIP } from "../common/units.ts";
 import { t } from "../words/translate.ts";
 
 /** Range of the speed slider (m/s): from a soft roll to the hardest break. The number field takes up to 50. */
@@ -62,15 +62,16 @@ function mountOffsets(root: HTMLElement, store: Store, context: Context): void {
   const field = (label: string, key: "side" | "height") => {
     mountField(root, store, context, {
       label,
-      unit: "R",
-      spoken: t("unit.radii"),
+      unit: t("unit.tips-short"),
+      spoken: t("unit.tips"),
       digits: 3,
-      min: () => -1,
-      max: () => 1,
-      step: 0.01,
+      min: () => -1 / TIP,
+      max: () => 1 / TIP,
+      step: 0.1,
       slider: false,
-      read: () => store.document.shot.strike[key] ?? 0,
-      write: (value, group) => store.strike({ [key]: value }, t("change.tip"), group),
+      read: () => (store.document.shot.strike[key] ?? 0) / TIP,
+      write: (value, group) =>
+        store.strike({ [key]: round(value * TIP, 5) }, t("change.tip"), group),
     });
   };
   field(t("aim.side"), "side");

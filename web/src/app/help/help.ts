@@ -22,7 +22,12 @@ export function mountHelp(
   };
   const title = h("h2", { id: "help-title", tabindex: -1 }, t("help.title"));
   dialog.append(
-    title,
+    h(
+      "div",
+      { class: "head" },
+      title,
+      h("button", { type: "button", class: "button", onclick: close }, t("help.close")),
+    ),
     languageChoice(store, context, close),
     h(
       "dl",
@@ -63,7 +68,6 @@ export function mountHelp(
         },
         t("help.steps"),
       ),
-      h("button", { type: "button", class: "button primary", onclick: close }, t("help.close")),
     ),
   );
   return () => {

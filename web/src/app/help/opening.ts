@@ -32,11 +32,12 @@ export function hasSeenOpening(): boolean {
 }
 
 /**
+ * @param shoot The button that plays the shot; the one that skips the steps is beside it.
  * @param begins Whether the page opens with the first step, whose shot is the present one.
  * @returns A function that begins the steps again.
  */
 export function mountOpening(
-  root: HTMLElement,
+  shoot: HTMLElement,
   store: Store,
   context: Context,
   begins: boolean,
@@ -47,10 +48,12 @@ export function mountOpening(
   let timer: ReturnType<typeof setTimeout> | undefined;
   const skip = h("button", { type: "button", class: "button", onclick: end }, t("steps.skip"));
   const region = h("section", { class: "steps", "aria-label": t("steps.title") }, skip);
-  root.append(region);
+  shoot.before(region);
 
   function show(): void {
     region.hidden = step < 0;
+    // The button has the place of the chance.
+    document.body.toggleAttribute("data-steps", step >= 0);
   }
 
   /** @param isSet Whether the page shows the shot of the lesson already. */

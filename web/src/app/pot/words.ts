@@ -34,8 +34,9 @@ export function hitText(contact: { fullness: number; cut: number }): string {
   return sentence(cutText(contact));
 }
 
-/** A cut such as "half ball, a cut of 31°". */
+/** A cut such as "half ball, a cut of 31°", or "full hit, straight". */
 export function cutText({ fullness, cut }: { fullness: number; cut: number }): string {
+  if (Math.round(cut) === 0) return t("pot.straight", { hit: hitName(fullness) });
   return t("pot.cut", { hit: hitName(fullness), degrees: decimal(cut, 0) });
 }
 

@@ -48,6 +48,6 @@ export function mountSheetForm(root: HTMLElement, { store, context, go }: Traine
     h("p", { class: "hint" }, t("sheet.intro")),
     h("fieldset", { class: "sheet-choice" }, h("legend", {}, t("sheet.choose")), ...boxes),
     h("div", { class: "labelled" }, h("label", { for: papers.id }, t("sheet.paper")), papers),
-    h("div", { class: "row" }, button("print-sheet", t("sheet.print"), print, true)),
+    h("div", { class: "row end pinned" }, button("print-sheet", t("sheet.print"), print, true)),
   );
 }

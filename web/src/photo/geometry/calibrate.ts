@@ -8,7 +8,7 @@
  * on it.
  */
 
-import type { Point } from "../../engine/index.ts";
+import type { Point, Vector } from "../../engine/index.ts";
 import { position, project, rotated, type Camera } from "./camera.ts";
 import { pose } from "./homography.ts";
 import { CORNERS, PLACES, RIGHT, type Landmarks } from "./landmarks.ts";
@@ -23,14 +23,43 @@ export const TAP_ERROR = 1.5 / 1200;
  */
 const FOCAL = 0.714;
 const FOCAL_SPREAD = 0.23;
-/** Standard deviation of the prior of k₁. Pictures of phones are mostly corrected to within 0.05. */
-const K1_SPREAD = 0.08;
+/** What is known of k₁ besides the taps: mean and standard deviation. */
+export interface Distortion {
+  readonly k1: number;
+  readonly spread: number;
+}
+
+/** A point of a straight edge of the table, the pixel at which the edge is seen, and its normal there. */
+export interface EdgePoint {
+  readonly place: Vector;
+  readonly pixel: Point;
+  readonly normal: Point;
+}
+
+/**
+ * What a photo shows besides the taps. Each edge is parallel to a rail, at a distance that is not known: the
+ * points of one edge may all be off by the same distance.
+ */
+export interface Evidence {
+  readonly distortion: Distortion;
+  readonly edges: readonly (readonly EdgePoint[])[];
+}
+
+/**
+ * Standard deviation of a point of an edge, pixels: a few times that of one point on a rendered photo, since
+ * edges of real tables have errors in common.
+ */
+const EDGE_ERROR = 2;
+
+/** The prior of k₁. Pictures of phones are mostly corrected to within 0.05. */
+export const UNKNOWN: Distortion = { k1: 0, spread: 0.08 };
+const TAPS_ONLY: Evidence = { distortion: UNKNOWN, edges: [] };
 
 /**
  * Standard deviation of a careless tap, as a share of the width: 5 pixels of 1200, or a fifth of the
  * opening of a pocket. Larger disagreement means that the taps are not this table's landmarks.
  */
-const CARELESS = 5 / 1200;
+export const CARELESS = 5 / 1200;
 
 /** 99.9 % quantiles of the χ² distribution with 2, 4 and 6 degrees of freedom: four, five and six taps. */
 const QUANTILES = [13.8, 18.5, 22.5] as const;
@@ -72,7 +101,7 @@ export function calibrate(
 ): Calibration | null {
   let best: { fit: Fit; problem: Problem } | null = null;
   for (const arrangement of arrangements(taps)) {
-    const problem = { table, taps, photo, places: arrangement };
+    const problem = { table, taps, photo, places: arrangement, evidence: TAPS_ONLY };
     const fit = fitted(problem);
     if (fit && !(best && best.fit.cost <= fit.cost)) best = { fit, problem };
   }
@@ -80,6 +109,17 @@ export function calibrate(
   const { fit, problem } = best;
   if (isUpright(fit.camera, table.size) !== turned) return fit;
   return fitted({ ...problem, places: problem.places.map((place) => (place + 3) % PLACES.length) });
+}
+
+/** A calibration as its taps and further evidence give it; null if no camera sees the landmarks there. */
+export function calibrateAgain(
+  { places }: Calibration,
+  table: Landmarks,
+  taps: readonly Point[],
+  photo: Size,
+  evidence: Evidence,
+): Calibration | null {
+  return fitted({ table, taps, photo, places, evidence });
 }
 
 /** The parameters' neighbours of a camera, for derivatives: `by` is added to parameter `index`. */
@@ -99,6 +139,7 @@ interface Problem {
   readonly places: readonly number[];
   readonly taps: readonly Point[];
   readonly photo: Size;
+  readonly evidence: Evidence;
 }
 
 /**
@@ -180,7 +221,7 @@ function judged(problem: Problem, camera: Camera, errors: readonly number[]): Fi
 
 /** Errors of the taps and departures from the priors, in standard deviations; null if a point is unseen. */
 function weighted(
-  { table, places, taps, photo }: Problem,
+  { table, places, taps, photo, evidence: { distortion, edges } }: Problem,
   camera: Camera,
   tap: number,
 ): number[] | null {
@@ -191,8 +232,19 @@ function weighted(
     if (!pixel) return null;
     errors.push((pixel[0] - taps[k]![0]) / deviation, (pixel[1] - taps[k]![1]) / deviation);
   }
+  for (const edge of edges) {
+    const away: number[] = [];
+    for (const { place, pixel, normal } of edge) {
+      const seen = project(camera, place);
+      if (!seen) return null;
+      const along = (seen[0] - pixel[0]) * normal[0] + (seen[1] - pixel[1]) * normal[1];
+      away.push(along / EDGE_ERROR);
+    }
+    const mean = away.reduce((sum, value) => sum + value, 0) / away.length;
+    errors.push(...away.map((value) => value - mean));
+  }
   const focal = Math.log(camera.focal / (FOCAL * Math.max(...photo)));
-  return [...errors, focal / FOCAL_SPREAD, camera.k1 / K1_SPREAD];
+  return [...errors, focal / FOCAL_SPREAD, (camera.k1 - distortion.k1) / distortion.spread];
 }
 
 /** Derivatives of the weighted errors by the parameters. */

@@ -22,6 +22,8 @@ export const RIGHT = 2;
 export interface Landmarks {
   /** Playing area, m. */
   readonly size: Point;
+  /** Height of the noses above the bed, m. */
+  readonly nose: number;
   /** Whether the places are pockets; otherwise they lie on the noses of the cushions. */
   readonly pockets: boolean;
   /** In the order of PLACES, m. All have the same height. */
@@ -47,5 +49,5 @@ export function landmarks({ size, pockets, cushion_height: nose }: Geometry): La
     const pocket = pockets.find((one) => one.name === name);
     return pocket ? [...pocket.center, 0] : [...corners[k]!, nose];
   });
-  return { size, pockets: pockets.length === PLACES.length, places };
+  return { size, nose, pockets: pockets.length === PLACES.length, places };
 }

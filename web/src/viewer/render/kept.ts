@@ -19,10 +19,10 @@ import {
 import { Picture } from "./picture";
 import { TILE, type Tiles } from "./tiles";
 
-/** Colours with smooth edges, and the depth at the middle of each pixel. */
+/** The depth at the middle of each pixel, with colours of rough edges, and the colours with smooth edges. */
 export class Kept {
-  readonly colors = new Picture(true);
   readonly depths = new Picture(false);
+  readonly smooth = new Picture(true);
   readonly #material = new RawShaderMaterial({
     glslVersion: GLSL3,
     uniforms: {
@@ -70,8 +70,12 @@ export class Kept {
     renderer.compile(this.#scene, this.#camera);
   }
 
-  /** Copies the kept pixels of these tiles, by index, to the screen. */
-  restore(renderer: WebGLRenderer, tiles: Tiles, indices: Uint32Array): void {
+  /**
+   * Copies the kept pixels of these tiles, by index, to the screen.
+   *
+   * @param smooth - Whether their edges are smooth.
+   */
+  restore(renderer: WebGLRenderer, tiles: Tiles, indices: Uint32Array, smooth: boolean): void {
     if (this.#tiles.getAttribute("tile").count !== tiles.count) {
       this.#tiles.dispose();
       this.#mesh.geometry = this.#tiles = instances(tiles.count);
@@ -83,16 +87,16 @@ export class Kept {
     attribute.needsUpdate = true;
     this.#tiles.instanceCount = indices.length;
     const { uniforms } = this.#material;
-    uniforms.colors!.value = this.colors.texture;
+    uniforms.colors!.value = (smooth ? this.smooth : this.depths).texture;
     uniforms.depths!.value = this.depths.depthTexture;
-    (uniforms.size!.value as Vector2).set(this.colors.width, this.colors.height);
+    (uniforms.size!.value as Vector2).set(this.depths.width, this.depths.height);
     uniforms.columns!.value = tiles.columns;
     renderer.render(this.#scene, this.#camera);
   }
 
   dispose(): void {
-    this.colors.dispose();
     this.depths.dispose();
+    this.smooth.dispose();
     this.#tiles.dispose();
     this.#material.dispose();
   }

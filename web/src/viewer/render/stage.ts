@@ -81,12 +81,15 @@ export class Stage {
   readonly #view = new Matrix4();
   #last: Matrix4 | null = null;
   #fresh = false;
+  #smooths = true;
   readonly #size = new Vector2();
 
   constructor(canvas: HTMLCanvasElement, scene: Scene, software: boolean) {
     this.software = software;
     this.#scene = scene;
     this.renderer = new WebGLRenderer({ canvas, context: opaque(canvas, software) });
+    // The check waits for every shader; the browser reports an invalid one anyway.
+    this.renderer.debug.checkShaderErrors = false;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.renderer.autoClear = false;
   }
@@ -94,6 +97,19 @@ export class Stage {
   /** Call it when the table, the light or the background has changed. */
   invalidate(): void {
     this.#fresh = false;
+  }
+
+  /**
+   * Whether the kept table has smooth edges. The first picture comes sooner without them: a software renderer
+   * compiles shaders of their own for them.
+   */
+  get smooths(): boolean {
+    return this.#smooths || !this.software;
+  }
+
+  set smooths(smooths: boolean) {
+    if (smooths !== this.#smooths) this.#fresh = false;
+    this.#smooths = smooths;
   }
 
   set shadows(drawn: boolean) {
@@ -112,6 +128,9 @@ export class Stage {
   }
 
   resize(width: number, height: number): void {
+    const { x, y } = this.renderer.getSize(this.#size);
+    // Another size empties the canvas, and the table is drawn again.
+    if (x === width && y === height) return;
     this.renderer.setSize(width, height, false);
     this.#fresh = false;
   }
@@ -175,15 +194,19 @@ export class Stage {
     if (!this.#fresh) this.#keepTable(camera);
     camera.layers.set(MOVING);
     this.#extent.mark(this.#scene, camera, [width, height]);
-    this.#table.restore(this.renderer, this.#tiles, this.#tiles.take());
+    this.#table.restore(this.renderer, this.#tiles, this.#tiles.take(), this.#smooths);
     this.renderer.render(this.#scene, camera);
   }
 
   #keepTable(camera: Camera): void {
-    for (const [layer, picture] of [
-      [STILL, this.#table.colors],
-      [DEPTH, this.#table.depths],
-    ] as const) {
+    const { depths, smooth } = this.#table;
+    const parts: readonly [number, Picture][] = this.#smooths
+      ? [
+          [STILL, smooth],
+          [DEPTH, depths],
+        ]
+      : [[STILL, depths]];
+    for (const [layer, picture] of parts) {
       camera.layers.set(layer);
       this.#into(picture, () => {
         this.renderer.clear();

@@ -2,13 +2,11 @@
 
 import {
   type BufferGeometry,
-  CanvasTexture,
   Group,
   type Material,
   Mesh,
   MeshBasicMaterial,
   type Object3D,
-  PlaneGeometry,
 } from "three";
 import { DEPTH, STILL } from "../render/layers";
 import { clothColor, type Palette } from "../theme";
@@ -17,7 +15,7 @@ import { markings, sights } from "./fittings";
 import { TableMaterials } from "./materials";
 import { outline } from "./outline";
 import { FLOOR, solid } from "./solid";
-import { raised, ring, Surface } from "./surface";
+import { raised, ring, roundedRectangle, Surface } from "./surface";
 
 /** Drawn radius of unbounded cloth, m; it fades from half of it. */
 const UNBOUNDED = 9;
@@ -28,11 +26,6 @@ const PENUMBRA = 0.35;
 export class Table {
   readonly group = new Group();
   readonly #materials = new TableMaterials();
-  readonly #floorMaterial = new MeshBasicMaterial({
-    map: floorShadow(),
-    transparent: true,
-    depthWrite: false,
-  });
   readonly #depthMaterial = new MeshBasicMaterial({ colorWrite: false });
   #meshes: Mesh[] = [];
 
@@ -75,12 +68,7 @@ export class Table {
     if (diamonds) this.#add(diamonds, materials.sights);
     const lines = markings(geometry);
     if (lines) this.#add(lines, materials.markings);
-    const floor = new PlaneGeometry(
-      width + 2 * (plan.reach + PENUMBRA),
-      length + 2 * (plan.reach + PENUMBRA),
-    );
-    floor.translate(width / 2, length / 2, -FLOOR);
-    this.#add(floor, this.#floorMaterial);
+    this.#add(floorShadow(geometry.size, plan.reach), materials.floor);
   }
 
   /**
@@ -88,13 +76,11 @@ export class Table {
    * the first table is known.
    */
   samples(): Object3D {
-    const { cloth, wood, frame, shade, sights, markings } = this.#materials;
-    const coloured = new Surface().geometry();
-    const plain = new PlaneGeometry();
+    const { cloth, shade } = this.#materials;
+    const empty = new Surface().geometry();
     const group = new Group();
-    for (const material of [cloth, wood, frame, shade]) group.add(new Mesh(coloured, material));
-    for (const material of [sights, markings, this.#floorMaterial, this.#depthMaterial])
-      group.add(new Mesh(plain, material));
+    for (const material of [cloth, shade, this.#depthMaterial])
+      group.add(new Mesh(empty, material));
     for (const mesh of group.children) mesh.receiveShadow = true;
     return group;
   }
@@ -102,14 +88,12 @@ export class Table {
   setPalette(palette: Palette): void {
     this.#materials.wood.color.set(palette.wood);
     this.#materials.frame.color.set(palette.frame);
-    this.#floorMaterial.opacity = palette.floorShadow;
+    this.#materials.floor.opacity = palette.floorShadow;
   }
 
   dispose(): void {
     this.#clear();
     this.#materials.dispose();
-    this.#floorMaterial.map?.dispose();
-    this.#floorMaterial.dispose();
     this.#depthMaterial.dispose();
   }
 
@@ -151,19 +135,14 @@ function unboundedCloth(): BufferGeometry {
     .geometry();
 }
 
-/** A dark rectangle with soft edges. */
-function floorShadow(): CanvasTexture {
-  const canvas = document.createElement("canvas");
-  canvas.width = canvas.height = 64;
-  const context = canvas.getContext("2d")!;
-  const picture = context.createImageData(64, 64);
-  for (let i = 0; i < 64 * 64; i += 1) {
-    const fade = (at: number): number => {
-      const t = Math.min(1, (0.5 - Math.abs((at + 0.5) / 64 - 0.5)) / 0.22);
-      return t * t * (3 - 2 * t);
-    };
-    picture.data[4 * i + 3] = 255 * fade(i % 64) * fade(Math.floor(i / 64));
-  }
-  context.putImageData(picture, 0, 0);
-  return new CanvasTexture(canvas);
+/** The shadow of a table on the floor: dark, with a soft edge. */
+function floorShadow(size: Point, reach: number): BufferGeometry {
+  const steps = Array.from({ length: 9 }, (_, k) => k / 8);
+  const lines = steps.map((step) => {
+    const margin = reach + PENUMBRA * (1 - 2 * step);
+    return raised(roundedRectangle(size, margin, PENUMBRA * (2 - step)), -FLOOR);
+  });
+  const shades = steps.map((step) => [0, step * step * (3 - 2 * step)] as const);
+  const inside = roundedRectangle(size, reach - PENUMBRA, PENUMBRA).slice(1);
+  return new Surface().bands(lines, shades).fill(inside, [], -FLOOR, [0, 1]).geometry();
 }

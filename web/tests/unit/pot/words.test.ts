@@ -1,6 +1,6 @@
 import { afterEach, expect, test } from "vitest";
 import type { PotLock } from "../../../src/app/document/document.ts";
-import { lockText } from "../../../src/app/pot/words.ts";
+import { hitText, lockText } from "../../../src/app/pot/words.ts";
 import { setLanguage } from "../../../src/app/words/translate.ts";
 
 const lock: PotLock = {
@@ -25,6 +25,11 @@ test("an aim is a sentence in every language", () => {
     "Kugel 9 in die Tasche oben rechts: halb voll, Schnittwinkel 31°, ± 0,30°.",
     "9号球打右上袋：半球，切角 31°，± 0.30°。",
   ]);
+});
+
+test("a cut of less than half a degree is straight", () => {
+  expect(hitText({ fullness: 1, cut: 0.3 })).toBe("Full hit, straight.");
+  expect(hitText({ fullness: 0.99, cut: 0.6 })).toBe("Full hit, a cut of 1°.");
 });
 
 test("a line that is not direct has the name of its kind", () => {

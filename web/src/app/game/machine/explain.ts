@@ -78,13 +78,18 @@ export function reasonInWords(reason: Reason | null): string {
 
 function chancesInWords(meant: Recommendation): string[] {
   const { win_if_kept: kept, win_if_missed: missed } = meant;
-  return [
+  const chances = [
     t("reason.meant", { play: playInWords(meant) }),
     t("reason.chances", {
       kept: percent(meant.kept.probability),
       foul: percent(meant.foul.probability),
     }),
     t("reason.win", { win: percent(meant.win_chance) }),
+  ];
+  // After a safety the other player shoots: both cases would repeat what is said.
+  if (Math.round(100 * meant.kept.probability) === 0) return chances;
+  return [
+    ...chances,
     kept === null ? "" : t("reason.if-kept", { win: percent(kept) }),
     missed === null ? "" : t("reason.if-missed", { win: percent(missed) }),
   ];

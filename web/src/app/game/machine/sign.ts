@@ -6,7 +6,7 @@ import type { Store } from "../../document/store.ts";
 import { replay } from "../../replay/control.ts";
 import { playDecision } from "../play.ts";
 import { standing } from "../turn.ts";
-import { thinkerOf } from "./thinker.ts";
+import { prepareThinker, thinkerOf } from "./thinker.ts";
 import { Turns } from "./turns.ts";
 import { t } from "../../words/translate.ts";
 
@@ -47,6 +47,10 @@ export function mountMachine(root: HTMLElement, store: Store, context: Context):
     stop.hidden = waiting !== "thinking";
     resume.hidden = waiting !== "held";
   }
+  store.subscribe((now, before) => {
+    if (now.session.activity === before.session.activity) return;
+    if (now.session.activity === "play") prepareThinker(context.engine);
+  });
   turns.consider();
 }
 

@@ -15,3 +15,18 @@ export function thinkerOf(engine: Engine): Promise<Thinker> {
   });
   return thinker;
 }
+
+/**
+ * Starts the worker before it is asked, and lets it choose a break with few simulations: the browser compiles
+ * the engine's code while it runs, which took longer than the first decision of a machine.
+ */
+export function prepareThinker(engine: Engine): void {
+  if (thinker) return;
+  const frame = engine.frame("nine-ball");
+  const { record } = frame;
+  frame.free();
+  thinkerOf(engine)
+    .then((ready) => ready.choose(record, { name: "level-1" }))
+    // A question of a game reports what is wrong.
+    .catch(() => undefined);
+}

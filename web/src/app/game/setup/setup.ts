@@ -83,7 +83,7 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
     labelled(t("guide.label"), guide),
     match.root,
     rack,
-    h("div", { class: "row end" }, primary(t("setup.start"), begin)),
+    h("div", { class: "row end pinned" }, primary(t("setup.start"), begin)),
   );
 
   function shuffle(): HTMLElement {

@@ -43,7 +43,8 @@ export const aim: Translation<typeof en.aim> = {
   "face.both": "{side}, {height}",
   "face.centre": "Mitte",
 
-  "unit.radii": "Kugelradien",
+  "unit.tips": "Pomeranzen",
+  "unit.tips-short": "Pom.",
   "unit.degrees": "Grad",
   "unit.azimuth": "Grad gegen den Uhrzeigersinn, von der Richtung der kurzen Banden aus",
   "unit.metres": "Metern",

@@ -6,6 +6,7 @@ export const pot: Translation<typeof en.pot> = {
   "pot.unsolved":
     "{ball} in die Tasche {pocket}: keine Linie mit diesem Stoß. Ändern Sie Tempo oder Effet.",
   "pot.cut": "{hit}, Schnittwinkel {degrees}°",
+  "pot.straight": "{hit}, gerade",
   "pot.no-line":
     "Mit diesem Stoß gibt es keine Linie: {ball} in die Tasche {pocket}. Versuchen Sie ein anderes Tempo oder Effet.",
   "pot.no-line-at-all":

@@ -40,7 +40,8 @@ export const aim = {
   "face.both": "{side}, {height}",
   "face.centre": "centre",
 
-  "unit.radii": "ball radii",
+  "unit.tips": "tips",
+  "unit.tips-short": "tips",
   "unit.degrees": "degrees",
   "unit.azimuth": "degrees counter-clockwise from the direction of the short rails",
   "unit.metres": "metres",

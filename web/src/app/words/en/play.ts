@@ -25,7 +25,7 @@ export const play = {
   "reason.chances": "chances before the shot: {kept} % to stay at the table, {foul} % for a foul",
   "reason.win": "expected chance to win the frame: {win} %",
   "reason.if-kept": "if the turn is kept {win} %",
-  "reason.if-missed": "if it is lost {win} %",
+  "reason.if-missed": "if the turn is lost {win} %",
   "reason.instead": "the next best: {play}, {win} %",
   "reason.pot": "{ball} into the {pocket} pocket",
   "reason.bank": "{ball} by a bank into the {pocket} pocket",

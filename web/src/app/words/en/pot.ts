@@ -4,6 +4,7 @@ export const pot = {
   "pot.unsolved":
     "{ball} to the {pocket} pocket: no line with this stroke. Change the speed or the spin.",
   "pot.cut": "{hit}, a cut of {degrees}°",
+  "pot.straight": "{hit}, straight",
   "pot.no-line":
     "No line for {ball} at the {pocket} pocket with this stroke. Try another speed or spin.",
   "pot.no-line-at-all": "No line for {ball} with this stroke. Try another speed or spin.",

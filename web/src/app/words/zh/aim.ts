@@ -40,7 +40,8 @@ export const aim: Translation<typeof en.aim> = {
   "face.both": "{side}，{height}",
   "face.centre": "中杆",
 
-  "unit.radii": "球半径",
+  "unit.tips": "皮头",
+  "unit.tips-short": "皮头",
   "unit.degrees": "度",
   "unit.azimuth": "度，从短库边方向起逆时针",
   "unit.metres": "米",

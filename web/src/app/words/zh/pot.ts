@@ -5,6 +5,7 @@ export const pot: Translation<typeof en.pot> = {
   "pot.aimed": "{ball}打{pocket}袋：{how}，± {margin}°。",
   "pot.unsolved": "{ball}打{pocket}袋：这样出杆没有进球线路。请改变杆速或旋转。",
   "pot.cut": "{hit}，切角 {degrees}°",
+  "pot.straight": "{hit}，直球",
   "pot.no-line": "这样出杆，{ball}没有到{pocket}袋的线路。请换一个杆速或旋转。",
   "pot.no-line-at-all": "这样出杆，{ball}没有进球线路。请换一个杆速或旋转。",
   "pot.no-pockets": "这张球台没有球袋。",
