@@ -307,12 +307,12 @@ def made(found: Experiments) -> list[list[str]]:
 
 
 def values(games: Experiments) -> list[list[str]]:
-    """Log loss of the values of positions, on frames that were not fitted."""
-    rows = [["Game", "frames", "positions", "logistic", "Markov chain", "a constant"]]
+    """Log loss of the values of positions, on racks that were not fitted."""
+    rows = [["Game", "racks", "positions", "logistic", "Markov chain", "a constant"]]
     for name, game in games.items():
         loss = game["log_loss"]
         losses = [f"{loss[kind]:.3f}" for kind in ("logistic", "markov", "constant")]
-        rows.append([name, f"{game['frames']:,}", f"{game['positions']:,}", *losses])
+        rows.append([name, f"{game['pairs']:,}", f"{game['positions']:,}", *losses])
     return rows
 
 

@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
 }
 
 /// The seat, the error of its direction (rad), its chance of winning by the Markov chain, and the features
-/// of a request for a shot; none for opening shots, which the regression does not value.
+/// of a request for a shot. `None` for opening shots, which the regression does not value.
 fn seen(ask: &Ask<'_>) -> Option<(usize, [f64; 2], Features)> {
     let frame = ask.situation.frame;
     let turn = frame.turn().filter(|_| !frame.is_opening())?;

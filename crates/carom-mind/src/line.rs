@@ -17,8 +17,8 @@ use crate::targets::Targets;
 /// a seventh of the speed.
 pub(crate) const THINNEST: f64 = 0.139;
 /// The width of a pocket as counted, over that of geometry: a ball that touches a jaw or a facing
-/// often falls. Fitted, as [`FALLS`], to 2700 plays of eight-ball at the Olympiad's noise (the
-/// example `self_play` with 1500 simulations a decision, 60 frames, each play counted 90 times).
+/// often falls. Fitted once, as [`FALLS`], to 2700 plays of 60 frames of eight-ball at the Olympiad's
+/// noise, with 1500 simulations a decision; each play was counted 90 times.
 const REAL_WIDTH: f64 = 1.5;
 /// Share of the balls on the way into a pocket that fall, without and with a cushion before: the
 /// errors of speed and spin make others miss.

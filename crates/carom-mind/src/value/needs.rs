@@ -7,10 +7,10 @@ use carom_rules::{BallIndex, Frame, Rules, Seat, Turn};
 use crate::targets::EIGHT;
 
 /// A set of balls: bit k for ball k. A frame has at most 22 balls.
-pub(crate) type BallSet = u32;
+pub(crate) type BallMask = u32;
 
 /// The set of one ball.
-pub(crate) const fn only(ball: BallIndex) -> BallSet {
+pub(crate) const fn only(ball: BallIndex) -> BallMask {
     1 << ball
 }
 
@@ -18,12 +18,12 @@ pub(crate) const fn only(ball: BallIndex) -> BallSet {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Needs {
     /// The object balls on the table.
-    all: BallSet,
+    all: BallMask,
     /// The balls of each seat before the last one. On an open table of eight-ball the solids and the
     /// stripes; in games with shared balls all balls.
-    groups: [BallSet; 2],
+    groups: [BallMask; 2],
     /// The eight of eight-ball.
-    last: BallSet,
+    last: BallMask,
     order: Order,
 }
 
@@ -69,17 +69,17 @@ impl Needs {
     }
 
     /// The balls of `seat`, with the last one. On an open table those of group number `seat`.
-    pub(crate) const fn balls(&self, seat: Seat) -> BallSet {
+    pub(crate) const fn balls(&self, seat: Seat) -> BallMask {
         self.groups[seat] | self.last
     }
 
     /// The eight of eight-ball; empty in other games.
-    pub(crate) const fn last(&self) -> BallSet {
+    pub(crate) const fn last(&self) -> BallMask {
         self.last
     }
 
     /// The balls on for the same player after `ball` is potted.
-    pub(crate) fn after(&self, ball: BallIndex) -> BallSet {
+    pub(crate) fn after(&self, ball: BallIndex) -> BallMask {
         let left = self.all & !only(ball);
         let group = match self.order {
             // The lowest bit.

@@ -10,7 +10,7 @@ use carom::math::{Vec2, log, sqrt};
 use carom_rules::{BallIndex, Frame, MOST_BALLS, Turn};
 
 use super::lanes::usual_tolerance;
-use super::needs::{BallSet, only};
+use super::needs::{BallMask, only};
 use crate::line::{THINNEST, chance_within, direction_error};
 use crate::scene::{Scene, SceneBall, Window, ghost};
 
@@ -137,7 +137,7 @@ impl<'a> Ways<'a> {
         }
     }
 
-    fn ways_of(&self, set: BallSet) -> impl Iterator<Item = &Way> {
+    fn ways_of(&self, set: BallMask) -> impl Iterator<Item = &Way> {
         self.ways[..self.count].iter().filter(move |way| set & only(way.ball) != 0)
     }
 
@@ -165,7 +165,7 @@ impl<'a> Ways<'a> {
 
     /// The widest tolerance of a pot of `set` with the cue ball at `from`; 0 if there is none.
     /// `gone` is a ball that is off the table by then.
-    fn widest(&self, set: BallSet, from: Vec2, gone: BallIndex) -> f64 {
+    fn widest(&self, set: BallMask, from: Vec2, gone: BallIndex) -> f64 {
         let mut widest = 0.0;
         for way in self.ways_of(set) {
             let tolerance = way.tolerance(from);
@@ -182,7 +182,7 @@ impl<'a> Ways<'a> {
     pub(crate) fn promise(
         &self,
         turn: &Turn,
-        (on, next): (BallSet, impl Fn(BallIndex) -> BallSet),
+        (on, next): (BallMask, impl Fn(BallIndex) -> BallMask),
         noise: &Noise,
     ) -> Promise {
         let error = direction_error(noise, self.radius);
@@ -202,7 +202,7 @@ impl<'a> Ways<'a> {
     }
 
     /// The pots with the widest tolerances, the widest first, of which no ball blocks the cue ball.
-    fn first_pots(&self, turn: &Turn, on: BallSet) -> [Option<Pot<'_>>; FIRST_POTS] {
+    fn first_pots(&self, turn: &Turn, on: BallMask) -> [Option<Pot<'_>>; FIRST_POTS] {
         let mut pots: [Option<Pot<'_>>; FIRST_POTS] = [None; FIRST_POTS];
         let lies = self.scene.ball(self.cue).map(|cue| cue.center);
         for way in self.ways_of(on) {
@@ -228,7 +228,7 @@ impl<'a> Ways<'a> {
 
     /// The best and the mean chance of a pot of `set` after `pot`, over the places that the cue ball
     /// reaches.
-    fn after(&self, pot: &Pot<'_>, set: BallSet, error: f64) -> (f64, f64) {
+    fn after(&self, pot: &Pot<'_>, set: BallMask, error: f64) -> (f64, f64) {
         let width = self.scene.table.size.x;
         let half = self.scene.half_area(self.radius);
         let path = pot.way.ghost - pot.from;
@@ -256,7 +256,7 @@ impl<'a> Ways<'a> {
 
 impl Ease {
     /// That of the balls of `set`, of which `chances` has the easiest pots ([`Ways::chances`]).
-    pub(crate) fn of(set: BallSet, chances: &[f64; MOST_BALLS]) -> Self {
+    pub(crate) fn of(set: BallMask, chances: &[f64; MOST_BALLS]) -> Self {
         let mut ease = Self { count: 0, log_run: 0.0, mean: 0.0, least: 1.0 };
         for (ball, chance) in (0..).zip(chances) {
             if set & only(ball) != 0 {
