@@ -185,7 +185,7 @@ EXPERIMENTS["bound-carom-pick-pocket"] = Match(
     table="poolfiz",
     same_break="head",
 )
-# Five milliseconds a decision: 250 simulated shots of 20 µs.
+# Five milliseconds a decision: 300 simulated shots of 16 µs.
 EXPERIMENTS["bar-5-ms-greedy"] = Match(
-    "carom:250", "greedy[aim=simulated]:3000", pairs=100, same_break="head"
+    "carom:300", "greedy[aim=simulated]:3000", pairs=100, same_break="head"
 )
