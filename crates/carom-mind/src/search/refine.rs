@@ -10,7 +10,7 @@ use super::explore::Explorer;
 use super::pots::{KnownLine, largest_offset};
 
 /// Steps of the first refinement: factor of the speed, and change of the tip offset (ball radii).
-/// Every further refinement halves them.
+/// Every second further refinement halves them.
 const FASTER: f64 = 0.16;
 const OFFSET: f64 = 0.14;
 /// Change of the azimuth of a play without a line, rad.
@@ -39,7 +39,7 @@ impl Explorer<'_> {
         candidates: &[Candidate],
         round: u32,
     ) -> Result<(), Error> {
-        let scale = 1.0 / f64::from(1_u32 << round.min(16));
+        let scale = 1.0 / f64::from(1_u32 << (round / 2).min(16));
         for candidate in candidates {
             let position = &prepared[candidate.place];
             let mut line = lines

@@ -41,6 +41,11 @@ const UNTRIED: f64 = 0.3;
 /// hits of a ball on; the rest goes to further strikes on the lines of pots.
 const NEAR: f64 = 0.4;
 const HITS: f64 = 0.25;
+/// The first round has at least this part of the simulations, up to a limit: only the first one tries whole
+/// lattices. Budgets above [`LIMITED`] are those of a clock, which may end soon.
+const FIRST_SHARE: u64 = 10;
+const MOST_FIRST: u64 = 2000;
+const LIMITED: u64 = 1 << 40;
 /// Factors of the first round's simulations: where there are more plays, with the cue ball in hand or with
 /// push-outs; and for opening shots and three-cushion, where later rounds find nothing that is not near a play
 /// of the first one.
@@ -126,7 +131,9 @@ impl Rounds {
         let fresh = settings.fresh(budget.simulations);
         let stating = (fresh * stated as u64).min(budget.simulations / 2);
         let racing = budget.simulations - stating;
-        let size = round_size(settings.first_round * first_factor(situation.frame, turn), racing);
+        let least = settings.first_round * first_factor(situation.frame, turn);
+        let share = if racing > LIMITED { 0 } else { (racing / FIRST_SHARE).min(MOST_FIRST) };
+        let size = round_size(least.max(share), racing);
         let (candidates, lines, spent) = (Vec::new(), Vec::new(), Spent::default());
         Self {
             openings: Vec::new(),
