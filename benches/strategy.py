@@ -209,7 +209,10 @@ BARS = {
     ),
     "bar-carom-greedy": ("3000 a decision against greedy, same break", 80),
     "bar-5-ms-greedy": ("300 a decision against greedy with simulated aim, same break", 90),
-    "bound-carom-pick-pocket": ("without errors, 3000 a decision against PickPocket, same break", None),
+    "bound-carom-pick-pocket": (
+        "without errors, 3000 a decision against PickPocket, same break",
+        None,
+    ),
 }
 
 

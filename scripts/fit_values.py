@@ -1,16 +1,18 @@
-"""Fit the weights of the logistic regression that values positions (carom-mind, ``Logistic``).
+r"""Fit the weights of the logistic regression that values positions (carom-mind, ``Logistic``).
 
     for noise in 0.5 0.7 1 1.4 2 2.5; do
-        carom match carom:300 carom:400 --game eight-ball --noise olympiad:$noise \\
-            --pairs 700 --secret $(printf eight-ball-$noise-b | sha256sum | cut -c1-64) --out played/$noise
+        carom match carom:300 carom:400 --game eight-ball --noise olympiad:$noise \
+            --pairs 700 --out played/$noise \
+            --secret $(printf eight-ball-$noise-b | sha256sum | cut -c1-64)
     done
-    cargo run --release -p carom-arena --example position_rows -- played/*/match.jsonl > eight-ball.csv
+    cargo run --release -p carom-arena --example position_rows -- \
+        played/*/match.jsonl > eight-ball.csv
     python scripts/fit_values.py eight-ball.csv nine-ball.csv
 
-Every file holds the positions of one game with the seat that won, from matches between two almost equal
-players. The weights are fitted to all of them. For the test, the racks with odd numbers fit other weights
-that predict the even ones, and the reverse. So all positions of a rack are on one side. A ridge
-penalty keeps weights of features without information small.
+Every file holds the positions of one game with the seat that won, from matches between two almost
+equal players. The weights are fitted to all of them. For the test, the racks with odd numbers fit
+other weights that predict the even ones, and the reverse. So all positions of a rack are on one
+side. A ridge penalty keeps weights of features without information small.
 
 Written: ``crates/carom-mind/src/value/weights.rs``, and ``benches/results/values.json`` with the
 log loss and the calibration of the predictions.

@@ -21,8 +21,8 @@ class Match:
     one: str
     other: str
     pairs: int
-    #: The noise of both players, or of each, as a multiple of the Olympiad's; None for that of their
-    #: levels.
+    #: The noise of both players, or of each, as a multiple of the Olympiad's; None for that of
+    #: their levels.
     noise: float | tuple[float, float] | None = 1.0
     game: str = "eight-ball"
     table: str | None = None
