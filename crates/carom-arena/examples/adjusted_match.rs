@@ -15,6 +15,8 @@
 //! Morrill & Bowling, *AIVAT*, AAAI 2018). The same draws give the chance that each play keeps the
 //! turn. Both frames of a rack have the same break with the same errors, so its luck cancels.
 
+mod judge;
+
 use std::error::Error;
 
 use carom::Noise;
@@ -26,6 +28,7 @@ use carom_mind::value::{Logistic, Position, Value};
 use carom_mind::{Answer, Budget, Player, Situation};
 use carom_plan::{Prepared, Sampler};
 use carom_rules::{Call, Frame, Options, Play, Request, Rules, Seat};
+use judge::judge;
 
 /// Drawn errors for the mean value after a play. Their cost is small beside a decision's.
 const SAMPLES: u64 = 100;
@@ -157,7 +160,7 @@ impl<'a> AdjustedFrame<'a> {
                 Answer::Choice(choice) => drop(self.frame.choose(choice)?),
                 Answer::Concede => drop(self.frame.concede()?),
                 Answer::Play(play) => {
-                    let (mean, kept) = self.chances(&play, seat)?;
+                    let (mean, kept) = self.chances(&play)?;
                     if matches!(play.call, Call::Safety) {
                         tally.safeties += 1;
                     } else {
@@ -208,23 +211,14 @@ impl<'a> AdjustedFrame<'a> {
         Ok(())
     }
 
-    /// The mean value after `play`, and the share of draws in which `seat` shoots again or wins.
-    fn chances(&mut self, play: &Play, seat: Seat) -> Result<(f64, f64), carom::Error> {
-        let mut successor = self.frame.clone();
-        let prepared = Prepared::new(&self.frame, play.cue_ball)?;
+    /// The mean value after `play`, and the share of draws in which its player shoots again or wins.
+    fn chances(&mut self, play: &Play) -> Result<(f64, f64), carom::Error> {
         let frame = 2 * self.rack + self.breaker as u64;
         let seed = (frame << 20) ^ (self.decisions << 1) ^ FRESH << 32;
         let errors = Errors { seed, ..self.errors };
-        let (mut sum, mut kept) = (0.0, 0_u64);
-        for index in 0..SAMPLES {
-            self.sampler.simulate_variant(&prepared, &play.strike, &errors, index)?;
-            self.sampler.rule(&prepared, play.call, &mut successor)?;
-            sum += self.value(&successor);
-            kept += u64::from(match successor.request() {
-                Request::Over { winner, .. } => *winner == Some(seat),
-                _ => successor.player() == Some(seat),
-            });
-        }
-        Ok((sum / SAMPLES as f64, kept as f64 / SAMPLES as f64))
+        let noise = [self.terms.noise; 2];
+        let (position, winner) =
+            (Position { frame: &self.frame, noise: &noise }, self.first_seat());
+        judge(&mut self.sampler, &position, play, (&errors, SAMPLES), winner)
     }
 }

@@ -11,15 +11,18 @@
 //! shot of a frame decides little, so differences of a tenth of a point show here that matches
 //! would need tens of thousands of frames for.
 
+mod judge;
+
 use std::error::Error;
 
 use carom::noise::Errors;
 use carom::runner::Runner;
 use carom_arena::{Ask, BuiltInPlayer, positions};
-use carom_mind::value::{Logistic, Position, Value};
+use carom_mind::value::Position;
 use carom_mind::{Answer, Budget, Situation};
-use carom_plan::{Prepared, Sampler};
-use carom_rules::{Call, Play, Request};
+use carom_plan::Sampler;
+use carom_rules::Call;
+use judge::judge;
 
 /// Separates the fresh errors from those that the players draw.
 const FRESH: u64 = 0x0066_7265_7368;
@@ -92,6 +95,9 @@ fn worths(
     players: &[BuiltInPlayer],
     errors: u64,
 ) -> Result<Vec<Worth>, carom::Error> {
+    let Situation { frame, ref noise, perception, seed, .. } = *situation;
+    let (position, seat) = (Position { frame, noise }, frame.player().unwrap_or(0));
+    let drawn = Errors { noise: noise[seat], perception, seed: seed ^ FRESH };
     let worth = |player: &BuiltInPlayer| {
         let simulations = u64::from(player.simulations().unwrap_or(USUAL));
         let mut made = player.make()?;
@@ -102,31 +108,9 @@ fn worths(
             let worth = Worth { value: 0.0, kept: 0.0, is_safety: false, simulations: 0, seconds };
             return Ok(worth);
         };
-        let (value, kept) = judged(situation, &play, errors)?;
+        let (value, kept) = judge(&mut Sampler::new(), &position, &play, (&drawn, errors), seat)?;
         let is_safety = matches!(play.call, Call::Safety);
         Ok(Worth { value, kept, is_safety, simulations: decision.spent.simulations, seconds })
     };
     players.iter().map(worth).collect()
-}
-
-/// The mean value after `play`, and the share of errors with which the player keeps the turn.
-fn judged(situation: &Situation<'_>, play: &Play, count: u64) -> Result<(f64, f64), carom::Error> {
-    let seat = situation.frame.player().unwrap_or(0);
-    let mut successor = situation.frame.clone();
-    let prepared = Prepared::new(situation.frame, play.cue_ball)?;
-    let (noise, perception) = (situation.noise[seat], situation.perception);
-    let errors = Errors { noise, perception, seed: situation.seed ^ FRESH };
-    let mut sampler = Sampler::new();
-    let (mut sum, mut kept) = (0.0, 0_u64);
-    for index in 0..count {
-        sampler.simulate_variant(&prepared, &play.strike, &errors, index)?;
-        sampler.rule(&prepared, play.call, &mut successor)?;
-        let position = Position { frame: &successor, noise: &situation.noise };
-        sum += Logistic.win_chance(&position, seat);
-        kept += u64::from(match successor.request() {
-            Request::Over { winner, .. } => *winner == Some(seat),
-            _ => successor.player() == Some(seat),
-        });
-    }
-    Ok((sum / count as f64, kept as f64 / count as f64))
 }
