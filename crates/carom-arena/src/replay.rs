@@ -41,10 +41,10 @@ pub struct RecordDifference {
     pub replayed: String,
 }
 
-/// The parts of a complete record.
+/// A complete record.
 struct Record<'a> {
+    lines: Vec<&'a str>,
     header: MatchHeader,
-    frames: Vec<&'a str>,
     secret: Secret,
     /// The last line, which has the secret.
     last: Node,
@@ -53,7 +53,7 @@ struct Record<'a> {
 impl<'a> Record<'a> {
     fn read(text: &'a str) -> Result<Self, Error> {
         let lines: Vec<&str> = text.lines().collect();
-        let [first, frames @ .., last] = lines.as_slice() else {
+        let [first, .., last] = lines.as_slice() else {
             return Err(at_line(incomplete(), 1));
         };
         let header = MatchHeader::from_node(&read_line(first, 1)?).map_err(|e| at_line(e, 1))?;
@@ -63,7 +63,12 @@ impl<'a> Record<'a> {
             Some(_) => read_last_line(&last).map_err(|error| at_line(error, last_number))?,
             None => return Err(at_line(incomplete(), last_number)),
         };
-        Ok(Self { header, frames: frames.to_vec(), secret, last })
+        Ok(Self { lines, header, secret, last })
+    }
+
+    /// The lines of the frames.
+    fn frames(&self) -> &[&'a str] {
+        &self.lines[1..self.lines.len() - 1]
     }
 }
 
@@ -75,16 +80,17 @@ impl<'a> Record<'a> {
 /// [`Error::Input`] with the line and the key for a damaged record, and for one without its last
 /// line. [`Error::Input`] at `progress` if the replay was stopped.
 pub fn replay(text: &str, runner: &Runner, progress: &Progress) -> Result<Replay, Error> {
-    let Record { header, frames, secret, last } = Record::read(text)?;
+    let record = Record::read(text)?;
+    let (frames, Record { header, secret, .. }) = (record.frames(), &record);
     progress.begin(0, frames.len());
     let replayed =
-        runner.map((0..).zip(&frames), FrameSimulator::new, |simulator, (index, line)| {
+        runner.map((0..).zip(frames), FrameSimulator::new, |simulator, (index, line)| {
             if progress.is_stopped() {
                 let remedy = "start the replay again";
                 return Err(Error::input("progress", "the replay was stopped", remedy));
             }
             let (node, line) = (read_line(line, index + 2)?, index + 2);
-            let again = play_again(&header, &secret, (index, &node), (simulator, &mut |_| ()));
+            let again = play_again(header, secret, (index, &node), (simulator, &mut |_| ()));
             let again = again.map_err(|error| at_line(error, line))?;
             let again = frame_line(&again);
             progress.add(1);
@@ -97,10 +103,10 @@ pub fn replay(text: &str, runner: &Runner, progress: &Progress) -> Result<Replay
         score.add(&[pair[0].1, pair[1].1]);
     }
     let of_frames = replayed.into_iter().find_map(|(difference, _)| difference);
-    let difference = difference_of_secret(&header, &secret)
-        .or(of_frames)
-        .or_else(|| difference_of_hash(text, &secret, &last));
-    Ok(Replay { header, frames: frames.len() as u64, difference, score })
+    let difference =
+        difference_of_secret(header, secret).or(of_frames).or_else(|| difference_of_hash(&record));
+    let frames = frames.len() as u64;
+    Ok(Replay { header: record.header, frames, difference, score })
 }
 
 /// Plays the record `text` of a match again, and gives every request of every frame to `see`. Returns
@@ -115,7 +121,7 @@ pub fn positions<T: Send>(
 ) -> Result<Vec<(Vec<T>, FrameEnd)>, Error> {
     let record = Record::read(text)?;
     let frames =
-        runner.map((0..).zip(&record.frames), FrameSimulator::new, |simulator, (index, line)| {
+        runner.map((0..).zip(record.frames()), FrameSimulator::new, |simulator, (index, line)| {
             let number = index + 2;
             let node = read_line(line, number)?;
             let mut seen = Vec::new();
@@ -218,8 +224,8 @@ fn difference_of_secret(header: &MatchHeader, secret: &Secret) -> Option<RecordD
 }
 
 /// Compares the hash of the lines. It finds changes of values that a replay only repeats.
-fn difference_of_hash(text: &str, secret: &Secret, last: &Node) -> Option<RecordDifference> {
-    let lines: Vec<&str> = text.lines().collect();
+fn difference_of_hash(record: &Record<'_>) -> Option<RecordDifference> {
+    let Record { lines, secret, last, .. } = record;
     let mut hash = LineHash::default();
     lines[..lines.len() - 1].iter().for_each(|line| hash.add(line));
     let expected = last_line(secret, hash);

@@ -6,7 +6,7 @@ use carom::noise::Perception;
 use carom::resolve::cue_ball::Strike;
 use carom_arena::{
     Breaker, MATCH_FORMAT, MatchHeader, MatchPlan, MatchSettings, RECORD, Replay, SequentialTest,
-    play_match, replay,
+    play_match, positions, replay,
 };
 use carom_plan::Progress;
 use carom_rules::{Call, Play, Rules};
@@ -32,6 +32,22 @@ fn records_of_all_games_replay_to_the_bit() {
         assert_eq!((replayed.frames, replayed.is_of_another_engine()), (2, false));
         assert_eq!(replayed.score.pairs.counts, [0, 0, 1, 0, 0], "mirror images");
     }
+}
+
+#[test]
+fn the_positions_of_a_record_are_the_requests_to_which_its_moves_answer() {
+    let text = record(&plan(short(Rules::NineBall), 2), "positions");
+    let frames = positions(&text, &runner(2), |ask| (ask.seat, ask.situation.frame.player()));
+    let frames = frames.unwrap();
+    assert_eq!(frames.len(), 4);
+    let written = text.lines().filter(|line| line.contains("\"moves\""));
+    for ((seen, end), line) in frames.iter().zip(written) {
+        assert!(seen.iter().all(|(seat, asked)| *asked == Some(*seat)));
+        assert_eq!(seen.len(), line.matches("\"seat\": ").count());
+        assert!(end.winner.is_some(), "{end:?}");
+    }
+    let unfinished = text.lines().next().unwrap();
+    assert!(positions(unfinished, &runner(1), |_| ()).is_err());
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use carom::math::{exp, log};
 use carom_rules::{Frame, MOST_BALLS, Rules, Seat, Turn};
 
-use super::needs::{Needs, only};
+use super::needs::{Needs, set_of};
 use super::ways::{Ease, Ways, log_in_run};
 use super::{Markov, Position, Reference};
 use crate::targets::{Targets, balls_left};
@@ -53,7 +53,7 @@ impl Features {
             ways.chances(&position.noise[other])
         };
         let [ours, theirs] = eases(&needs, own, (&chances, &others));
-        let on = Targets::of(frame, turn).first.iter().fold(0, |set, ball| set | only(*ball));
+        let on = set_of(Targets::of(frame, turn).first.iter().copied());
         let promise = ways.promise(turn, (on, |ball| needs.after(ball)), noise);
         // The first pot from where the cue ball lies, and all other balls from usual places.
         let first_ball = promise.ball.map_or(0.0, |ball| log_in_run(chances[usize::from(ball)]));
@@ -64,15 +64,15 @@ impl Features {
         let further = if left > 1.0 { rest * (left - 1.0) / left } else { 0.0 };
         let by_next = promise.mean_next * exp(further);
         let run_of_other = exp(theirs.log_run);
-        let usual = Reference::of(frame, noise).chance;
+        let usual = Reference::chances(position);
         let fouls = [own, other].map(|seat| f64::from(frame.fouls_in_a_row()[seat]));
         Self([
             1.0,
-            odds(Markov::slow().shooter(position, turn, promise.first)),
+            odds(Markov::slow().shooter(position, turn, (usual, promise.first))),
             promise.first,
             promise.next,
             promise.mean_next,
-            usual,
+            usual[own],
             odds(chain(by_eases, run_of_other)),
             odds(chain(by_next, run_of_other)),
             theirs.log_run,

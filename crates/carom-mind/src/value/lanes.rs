@@ -3,6 +3,7 @@
 use carom::Noise;
 use carom_rules::{BallIndex, Frame, Turn};
 
+use super::Position;
 use crate::line::{Line, chance_within, direction_error, straight_to_pocket};
 use crate::scene::{Scene, SceneBall};
 use crate::targets::Targets;
@@ -97,6 +98,11 @@ impl Reference {
     const NEAR: f64 = 0.45;
     const FAR: f64 = 0.55;
     const FULLNESS: f64 = 0.82;
+
+    /// The chances of the usual pot for the two seats.
+    pub(crate) fn chances(position: &Position<'_>) -> [f64; 2] {
+        position.noise.map(|noise| Self::of(position.frame, &noise).chance)
+    }
 
     /// The usual pot of a player with these errors on the frame's table.
     pub fn of(frame: &Frame, noise: &Noise) -> Self {

@@ -1,4 +1,4 @@
-//! A logistic regression on the features of a position, fitted to self-play.
+//! A logistic regression on the features of a position, fitted to matches of almost equal players.
 
 use carom::math::exp;
 use carom_rules::{Rules, Turn};

@@ -54,8 +54,8 @@ struct Rates {
 }
 
 impl Rates {
-    fn of(position: &Position<'_>, in_run: f64) -> Self {
-        let usual = [0, 1].map(|seat| Reference::of(position.frame, &position.noise[seat]).chance);
+    /// Those of players with these chances of a usual pot.
+    fn of(usual: [f64; 2], in_run: f64) -> Self {
         Self {
             run: usual.map(|chance| (in_run * chance).clamp(0.02, 0.98)),
             safe: usual.map(|chance| AFTER_SAFETY * chance),
@@ -70,7 +70,7 @@ impl Value for Markov {
 
     fn of_shot(&self, position: &Position<'_>, turn: &Turn) -> f64 {
         let lanes = Lanes::of(position.frame, turn, &position.noise[turn.player]);
-        self.shooter(position, turn, lanes.chances[0])
+        self.shooter(position, turn, (Reference::chances(position), lanes.chances[0]))
     }
 }
 
@@ -80,12 +80,17 @@ impl Markov {
         Self { in_run: IN_SLOW_RUN }
     }
 
-    /// The probability that the player of `turn` wins, whose best pot has this chance (not used
-    /// for an opening shot and for three-cushion).
-    pub(crate) fn shooter(&self, position: &Position<'_>, turn: &Turn, best: f64) -> f64 {
+    /// The probability that the player of `turn` wins. `usual` are the players' chances of a usual pot,
+    /// and `best` is that of the best pot, which does not count for an opening shot and in three-cushion.
+    pub(crate) fn shooter(
+        &self,
+        position: &Position<'_>,
+        turn: &Turn,
+        (usual, best): ([f64; 2], f64),
+    ) -> f64 {
         let frame = position.frame;
         let (own, other) = (turn.player, 1 - turn.player);
-        let rates = Rates::of(position, self.in_run);
+        let rates = Rates::of(usual, self.in_run);
         let first = match turn.hand {
             _ if frame.rules() == Rules::ThreeCushion || frame.is_opening() => rates.run[own],
             Some(region) if region != Region::Anywhere => best.min(rates.run[own]),

@@ -14,6 +14,11 @@ pub(crate) const fn only(ball: BallIndex) -> BallMask {
     1 << ball
 }
 
+/// The set of these balls.
+pub(crate) fn set_of(balls: impl Iterator<Item = BallIndex>) -> BallMask {
+    balls.fold(0, |set, ball| set | only(ball))
+}
+
 /// The balls that the players have to pot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Needs {
@@ -41,8 +46,7 @@ enum Order {
 impl Needs {
     /// What the players of `frame` need, whose request is `turn`.
     pub(crate) fn of(frame: &Frame, turn: &Turn) -> Self {
-        let on_table = frame.layout().on_table().filter(|ball| *ball != turn.cue);
-        let all = on_table.fold(0, |set, ball| set | only(ball));
+        let all = set_of(frame.layout().on_table().filter(|ball| *ball != turn.cue));
         let GameState::EightBall(game) = frame.game_state() else {
             let order = match frame.rules() {
                 Rules::NineBall | Rules::TenBall => Order::Numbers,
@@ -50,10 +54,8 @@ impl Needs {
             };
             return Self { all, groups: [all; 2], last: 0, order };
         };
-        let of_group = |group: Group| {
-            let balls = (1..=15).filter(|ball| Group::of(*ball) == Some(group));
-            balls.fold(0, |set, ball| set | only(ball)) & all
-        };
+        let of_group =
+            |group: Group| set_of((1..=15).filter(|b| Group::of(*b) == Some(group))) & all;
         let groups = match game.group(0) {
             None | Some(Group::Solids) => [Group::Solids, Group::Stripes],
             Some(Group::Stripes) => [Group::Stripes, Group::Solids],
@@ -93,5 +95,45 @@ impl Needs {
         };
         let rest = group & !only(ball);
         if rest != 0 { rest } else { self.last & !only(ball) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use carom_rules::{Frame, Options, Rules};
+
+    use super::{Needs, only, set_of};
+
+    /// What is needed in a frame with these balls beside the cue ball. The first pot of eight-ball has
+    /// not been made, so the table is open.
+    fn needs(rules: Rules, balls: &[u16]) -> Needs {
+        let mut frame = Frame::new(rules, Options::default(), None, None, 0).unwrap();
+        let mut places = vec![None; frame.layout().len()];
+        places[0] = Some([0.3, 0.3]);
+        for ball in balls {
+            places[usize::from(*ball)] = Some([0.6, 0.2 + 0.1 * f64::from(*ball)]);
+        }
+        frame.resume_at(&places, 0).unwrap();
+        Needs::of(&frame, frame.turn().unwrap())
+    }
+
+    #[test]
+    fn the_group_of_the_first_pot_is_needed_next_and_then_the_eight() {
+        let needs = needs(Rules::EightBall, &[1, 2, 8, 9]);
+        assert!(needs.is_open());
+        assert_eq!(needs.after(1), only(2));
+        assert_eq!(needs.after(9), only(8));
+        assert_eq!(needs.after(8), set_of([9].into_iter()));
+        assert_eq!(
+            [0, 1].map(|seat| needs.balls(seat)),
+            [set_of([1, 2, 8].into_iter()), set_of([8, 9].into_iter())]
+        );
+    }
+
+    #[test]
+    fn the_lowest_ball_is_next_in_nine_ball_and_nothing_after_the_nine() {
+        let needs = needs(Rules::NineBall, &[3, 7, 9]);
+        assert_eq!(needs.after(3), only(7));
+        assert_eq!(self::needs(Rules::NineBall, &[9]).after(9), 0);
     }
 }

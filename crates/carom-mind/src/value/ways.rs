@@ -287,3 +287,78 @@ fn fold(x: f64, half: f64) -> f64 {
         x
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use carom::Noise;
+    use carom_rules::{Frame, Options, Rules};
+
+    use super::{Ease, Ways, fold};
+    use crate::line::{Line, straight_to_pocket};
+    use crate::scene::Scene;
+    use crate::value::needs::{Needs, only};
+
+    /// A frame of nine-ball with these balls, the first of them the cue ball.
+    fn frame(places: &[(usize, [f64; 2])]) -> Frame {
+        let mut frame = Frame::new(Rules::NineBall, Options::default(), None, None, 0).unwrap();
+        let mut all = vec![None; frame.layout().len()];
+        places.iter().for_each(|(ball, place)| all[*ball] = Some(*place));
+        frame.resume_at(&all, 0).unwrap();
+        frame
+    }
+
+    #[test]
+    fn tolerances_are_those_of_the_lines() {
+        let frame = frame(&[(0, [0.5, 0.8]), (1, [0.35, 0.4]), (9, [0.9, 2.0])]);
+        let (turn, scene) = (frame.turn().unwrap(), Scene::new(&frame));
+        let (cue, one) = (scene.ball(0).unwrap(), scene.ball(1).unwrap());
+        let lines = (0..6).filter_map(|pocket| straight_to_pocket(&scene, cue, one, pocket));
+        let widest = lines.map(|line: Line| line.tolerance).fold(0.0, f64::max);
+        let found = Ways::of(&frame, turn).widest(only(1), cue.center, 1);
+        assert!(widest > 0.0 && (found / widest - 1.0).abs() < 1e-12, "{found} {widest}");
+    }
+
+    #[test]
+    fn a_blocked_ball_has_no_chance_and_a_hanging_one_a_good_one() {
+        // The 9 hangs in a corner. The 1 is frozen between two balls at the middle of a short rail.
+        let places = [
+            (0, [0.9, 1.5]),
+            (1, [0.635, 0.03]),
+            (2, [0.57, 0.03]),
+            (3, [0.7, 0.03]),
+            (9, [0.06, 2.48]),
+        ];
+        let frame = frame(&places);
+        let ways = Ways::of(&frame, frame.turn().unwrap());
+        let chances = ways.chances(&Noise::olympiad(1.0));
+        assert!(chances[9] > 0.95, "{chances:?}");
+        assert!(chances[1] < 0.05, "{chances:?}");
+        assert_eq!(chances[4], 0.0);
+        let ease = Ease::of(only(1) | only(9), &chances);
+        assert_eq!((ease.count, ease.least), (2, chances[1].min(chances[9])));
+        assert_eq!(Ease::of(0, &chances).mean, 1.0);
+    }
+
+    #[test]
+    fn the_next_pot_counts_until_the_last_ball() {
+        let noise = Noise::olympiad(1.0);
+        let promise = |places: &[(usize, [f64; 2])]| {
+            let frame = frame(places);
+            let (turn, needs) = (frame.turn().unwrap(), Needs::of(&frame, frame.turn().unwrap()));
+            let on = only(turn.on[0]);
+            Ways::of(&frame, turn).promise(turn, (on, |ball| needs.after(ball)), &noise)
+        };
+        let last = promise(&[(0, [0.5, 0.5]), (9, [0.2, 0.2])]);
+        assert_eq!((last.first, last.ball), (last.next, Some(9)));
+        assert_eq!(last.next, last.mean_next);
+        let two = promise(&[(0, [0.5, 0.5]), (8, [0.2, 0.2]), (9, [0.635, 2.4])]);
+        assert!(two.first > two.next && two.next > two.mean_next, "{two:?}");
+    }
+
+    #[test]
+    fn a_ball_turns_back_at_a_cushion() {
+        assert_eq!([fold(0.5, 1.0), fold(1.25, 1.0), fold(-1.25, 1.0)], [0.5, 0.75, -0.75]);
+        // No farther than across the table.
+        assert_eq!(fold(9.0, 1.0), -1.0);
+    }
+}
