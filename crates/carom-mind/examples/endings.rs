@@ -74,11 +74,24 @@ fn main() -> Result<(), Box<dyn Error>> {
         let own = brute.mean(&chosen, FRESH, HEATS[2].0)?;
         println!(
             "{{\"ending\": \"{ending}\", \"number\": {number}, \"chosen\": {own:.4}, \"best\": \
-             {:.4}, \"tried\": {tried}}}",
-            best.1
+             {:.4}, \"tried\": {tried}, \"chosen_play\": {}, \"best_play\": {}}}",
+            best.1,
+            words_of(&chosen),
+            words_of(&best.0)
         );
     }
     Ok(())
+}
+
+/// A play as JSON: speed (m/s), azimuth (degrees), side and height (ball radii), and the call.
+fn words_of(play: &Play) -> String {
+    let Strike { speed, azimuth, side, height, .. } = play.strike;
+    format!(
+        "{{\"speed\": {speed:.3}, \"azimuth_deg\": {:.3}, \"side\": {side:.3}, \"height\": {height:.3}, \
+         \"call\": \"{:?}\"}}",
+        azimuth.to_degrees(),
+        play.call
+    )
 }
 
 /// A frame with these balls at random places.

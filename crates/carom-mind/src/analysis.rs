@@ -8,7 +8,7 @@ use carom_plan::{Chance, Moments};
 use carom_rules::{BallIndex, Play};
 
 use crate::player::{Budget, Situation, Spent};
-use crate::search::{Candidate, Found, PlayKind, PlayedVariant, Rounds};
+use crate::search::{Candidate, PlayKind, PlayedVariant, Rounds};
 use crate::searcher::Searcher;
 
 /// One of the plays that a search recommends, with its chances.
@@ -80,14 +80,14 @@ impl Searcher {
             .candidates
             .iter()
             .filter(|candidate| !candidate.fresh.is_empty())
-            .map(|candidate| recommend(candidate, &found))
+            .map(recommend)
             .collect();
         plays.sort_by(|a, b| b.win.total_cmp(&a.win));
         Ok(Analysis { plays, spent: found.spent })
     }
 }
 
-fn recommend(candidate: &Candidate, found: &Found<'_>) -> Recommendation {
+fn recommend(candidate: &Candidate) -> Recommendation {
     let samples = &candidate.fresh;
     let count = samples.len() as f64;
     let mean = samples.iter().map(|sample| sample.value).sum::<f64>() / count;
@@ -103,12 +103,11 @@ fn recommend(candidate: &Candidate, found: &Found<'_>) -> Recommendation {
     };
     let mut leave = Moments::default();
     samples.iter().filter_map(|sample| sample.end).for_each(|end| leave.add(end));
-    let pockets = &found.prepared[candidate.place].shot().table().pockets;
     Recommendation {
         play: candidate.play,
         kind: candidate.kind,
         line: candidate.line,
-        pot: candidate.line.map(|line| (line.object, pockets[line.pocket].name)),
+        pot: candidate.pot,
         win: candidate.stated_win(),
         error: carom::math::sqrt(squares / (count * (count - 1.0).max(1.0))),
         kept: share(&|sample| sample.kept),

@@ -85,7 +85,7 @@ impl<'a> Scene<'a> {
         let way = to - from;
         let length = way.length();
         if length == 0.0 {
-            return true;
+            return self.is_clear_place(from, radius, except);
         }
         let unit = way * (1.0 / length);
         self.balls().iter().all(|ball| {

@@ -110,12 +110,12 @@ impl Searcher {
     }
 
     /// The plays that the rounds have found, the best first.
-    pub(crate) fn found<'a>(
+    pub(crate) fn found(
         &self,
         rounds: Rounds,
-        situation: &Situation<'a>,
+        situation: &Situation<'_>,
         budget: &Budget<'_>,
-    ) -> Result<Found<'a>, Error> {
+    ) -> Result<Found, Error> {
         let turn = turn_of(situation)?;
         rounds.end(&self.task(situation, turn, (budget, &self.settings)))
     }

@@ -74,7 +74,7 @@ export interface Chance {
 export interface Recommendation {
   /** What the play is meant to do; the first four pot a ball. */
   readonly kind:
-    "direct" | "bank" | "kick" | "combination" | "safety" | "carom" | "break" | "push-out";
+    "direct" | "bank" | "kick" | "combination" | "indirect" | "safety" | "carom" | "break" | "push-out";
   /** The ball that is to fall, and its pocket; null if none is. */
   readonly ball: string | null;
   readonly pocket: PocketName | null;

@@ -114,8 +114,7 @@ fn lanes(scene: &Scene<'_>, sight: &Sight<'_>) -> Vec<Lane> {
 /// The probability of the best direct shot with the cue ball at `place`; 0 on another ball.
 fn quality(scene: &Scene<'_>, sight: &Sight<'_>, lanes: &[Lane], place: Vec2) -> f64 {
     let cue = sight.turn.cue;
-    let near = place + Vec2::new(1e-6, 0.0);
-    if !scene.is_clear(place, near, sight.radius, &[cue]) {
+    if !scene.is_clear_place(place, sight.radius, &[cue]) {
         return 0.0;
     }
     let mut best: f64 = 0.0;

@@ -1,7 +1,8 @@
 //! Candidate plays and what is known about them.
 
 use carom::resolve::cue_ball::Strike;
-use carom_rules::Play;
+use carom::table::PocketName;
+use carom_rules::{BallIndex, Play};
 
 use crate::line::{Line, LineKind};
 
@@ -13,6 +14,8 @@ pub(crate) const PRIOR_SAMPLES: f64 = 4.0;
 pub enum PlayKind {
     /// To pot a ball along a line.
     Pot(LineKind),
+    /// To pot a ball on a way that is no line: off several cushions, or off another ball.
+    Indirect,
     /// To leave the other player a difficult shot.
     Safety,
     /// To score with the cue ball (three-cushion).
@@ -28,6 +31,7 @@ impl PlayKind {
     pub const fn name(self) -> &'static str {
         match self {
             Self::Pot(kind) => kind.name(),
+            Self::Indirect => "indirect",
             Self::Safety => "safety",
             Self::Carom => "carom",
             Self::Break => "break",
@@ -62,6 +66,8 @@ pub struct Candidate {
     pub kind: PlayKind,
     /// The line of a pot.
     pub line: Option<Line>,
+    /// The ball that is to fall, and the pocket.
+    pub pot: Option<(BallIndex, PocketName)>,
     /// Number of the prepared position: the place of a cue ball in hand.
     pub place: usize,
     /// Estimated value before any sample: a probability of winning.

@@ -2,9 +2,11 @@
 
 use carom::Error;
 use carom::resolve::cue_ball::Strike;
-use carom_rules::{Call, Frame, Play, Seat, Turn};
+use carom::table::PocketName;
+use carom_rules::{BallIndex, Call, Frame, Play, Seat, Turn};
 
 use super::candidate::{Candidate, PlayKind};
+use super::pots::least_share;
 use crate::line::Line;
 use crate::player::Situation;
 use crate::targets::Targets;
@@ -24,6 +26,8 @@ pub(crate) struct Explorer<'a> {
     pub(crate) plays: u64,
     /// Most simulations.
     pub(crate) most: u64,
+    /// Lines of pots that are less probable than this share of the most probable one are not tried.
+    pub(crate) least_share: f64,
     pub(crate) found: Vec<Candidate>,
 }
 
@@ -43,6 +47,7 @@ impl<'a> Explorer<'a> {
             successor: situation.frame.clone(),
             plays: 0,
             most,
+            least_share: least_share(0),
             found: Vec::new(),
         }
     }
@@ -75,6 +80,12 @@ impl<'a> Explorer<'a> {
         Ok((self.value_of_successor(), is_legal))
     }
 
+    /// The first of the balls that the player may pot that fell in the last simulation, and its pocket.
+    pub(crate) fn potted(&self) -> Option<(BallIndex, PocketName)> {
+        let fallen = self.sampler.outcome().pocketed.iter().copied();
+        fallen.into_iter().find(|(ball, _)| self.targets.objects.contains(ball))
+    }
+
     /// Keeps a play as a candidate; the last ruled simulation is that of the play.
     pub(crate) fn keep(
         &mut self,
@@ -83,10 +94,16 @@ impl<'a> Explorer<'a> {
         (kind, line, prior): (PlayKind, Option<Line>, f64),
         (place, prepared): (usize, &Prepared<'_>),
     ) {
+        let pockets = &prepared.shot().table().pockets;
+        let pot = match kind {
+            PlayKind::Indirect => self.potted(),
+            _ => line.map(|line| (line.object, pockets[line.pocket].name)),
+        };
         self.found.push(Candidate {
             play: Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) },
             kind,
             line,
+            pot,
             place,
             prior,
             end: self.successor.layout().place(self.turn.cue),

@@ -97,7 +97,7 @@ impl Explorer<'_> {
     ) -> bool {
         scene.table.place_check(center, radius).is_inside()
             && region.holds(scene.table, place)
-            && scene.is_clear(center, center + Vec2::new(1e-6, 0.0), radius, &[self.turn.cue])
+            && scene.is_clear_place(center, radius, &[self.turn.cue])
     }
 }
 

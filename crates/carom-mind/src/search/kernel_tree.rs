@@ -484,6 +484,7 @@ mod tests {
             play: Play::new(strike),
             kind: PlayKind::Safety,
             line: None,
+            pot: None,
             place: 0,
             prior: 0.5,
             end: None,

@@ -257,6 +257,7 @@ mod tests {
             play: Play::new(strike),
             kind: PlayKind::Safety,
             line: None,
+            pot: None,
             place: 0,
             prior: value,
             end: None,

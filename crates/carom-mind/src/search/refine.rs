@@ -8,6 +8,7 @@ use carom_plan::Prepared;
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
 use super::pots::{KnownLine, largest_offset};
+use super::race::keeps_turn;
 
 /// Steps of the first refinement: factor of the speed, and change of the tip offset (ball radii).
 /// Every second further refinement halves them.
@@ -42,9 +43,7 @@ impl Explorer<'_> {
         let scale = 1.0 / f64::from(1_u32 << (round / 2).min(16));
         for candidate in candidates {
             let position = &prepared[candidate.place];
-            let mut line = lines
-                .iter_mut()
-                .find(|known| known.place == candidate.place && Some(known.line) == candidate.line);
+            let mut line = lines.iter_mut().find(|known| known.has(candidate));
             for direction in DIRECTIONS {
                 if self.is_spent() {
                     return Ok(());
@@ -101,7 +100,8 @@ impl Explorer<'_> {
             return Ok(());
         }
         let (value, is_legal) = self.ruled(prepared, call)?;
-        if is_legal {
+        let scores = keeps_turn(&self.successor, self.seat());
+        if is_legal && (scores || candidate.kind != PlayKind::Indirect) {
             let prior = value.min(candidate.mean());
             self.keep(
                 strike,

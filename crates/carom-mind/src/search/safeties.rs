@@ -22,7 +22,7 @@ const HEIGHTS: [f64; 3] = [0.0, -0.35, 0.35];
 const HITS: [f64; 9] = [0.0, -0.3, 0.3, -0.55, 0.55, -0.75, 0.75, -0.9, 0.9];
 /// Greatest cue speed of a hit, m/s.
 const FASTEST: f64 = 6.0;
-/// Estimated value, over that without errors, of a hit that pots a ball by luck.
+/// Estimated value, over that without errors, of a hit that scores without a line.
 const LUCK: f64 = 0.5;
 /// Number of directions of a search around the whole table.
 const DIRECTIONS: u32 = 180;
@@ -192,7 +192,7 @@ impl Explorer<'_> {
         self.try_hit((prepared, place), strike, first)
     }
 
-    /// Keeps a strike that is to hit `first` without potting it, if it is legal.
+    /// Keeps a strike that is to hit `first`, if it is legal. A ball that falls is called where calls are made.
     fn try_hit(
         &mut self,
         (prepared, place): (&Prepared<'_>, usize),
@@ -204,14 +204,15 @@ impl Explorer<'_> {
             return Ok(());
         }
         self.plays += 1;
-        let call = call_of(self.turn, first, None);
+        let call = call_of(self.turn, first, self.potted());
         let (value, is_legal) = self.ruled(prepared, call)?;
         if is_legal {
-            let is_lucky = keeps_turn(&self.successor, self.seat());
-            let prior = if is_lucky { LUCK * value } else { value };
+            let scores = keeps_turn(&self.successor, self.seat());
+            let prior = if scores { LUCK * value } else { value };
             let kind = match self.situation.frame.rules() {
-                Rules::ThreeCushion if is_lucky => PlayKind::Carom,
-                _ => PlayKind::Safety,
+                _ if !scores => PlayKind::Safety,
+                Rules::ThreeCushion => PlayKind::Carom,
+                _ => PlayKind::Indirect,
             };
             self.keep(strike, call, (kind, None, prior), (place, prepared));
         }

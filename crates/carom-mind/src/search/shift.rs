@@ -133,6 +133,7 @@ mod tests {
             play: Play::new(MEANT),
             kind: PlayKind::Safety,
             line: None,
+            pot: None,
             place: 0,
             prior: 0.5,
             end: None,

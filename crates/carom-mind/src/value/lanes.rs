@@ -57,7 +57,7 @@ impl Lanes {
                     continue;
                 }
                 let cue = SceneBall { index: turn.cue, center: behind, radius };
-                if !scene.is_clear(behind, behind, radius, &[turn.cue]) {
+                if !scene.is_clear_place(behind, radius, &[turn.cue]) {
                     continue;
                 }
                 let line = straight_to_pocket(&scene, cue, object, pocket);
