@@ -2,7 +2,8 @@
 
 use carom_rules::games::GameState;
 use carom_rules::games::eight_ball::Group;
-use carom_rules::{BallIndex, Frame, Rules, Seat, Turn};
+use carom_rules::games::snooker::{On, value};
+use carom_rules::{BallIndex, Frame, MOST_BALLS, Seat, Turn};
 
 use crate::targets::EIGHT;
 
@@ -39,6 +40,9 @@ enum Order {
     Numbers,
     /// The balls of the player's group in any order, then the eight. None while the table is open.
     Group(Option<Seat>),
+    /// Snooker: a red, then a colour of the player's choice, which is spotted again; at last the colours in
+    /// ascending order.
+    RedsAndColors(On),
     /// Any.
     Free,
 }
@@ -47,12 +51,12 @@ impl Needs {
     /// What the players of `frame` need, whose request is `turn`.
     pub(crate) fn of(frame: &Frame, turn: &Turn) -> Self {
         let all = set_of(frame.layout().on_table().filter(|ball| *ball != turn.cue));
-        let GameState::EightBall(game) = frame.game_state() else {
-            let order = match frame.rules() {
-                Rules::NineBall | Rules::TenBall => Order::Numbers,
-                _ => Order::Free,
-            };
-            return Self { all, groups: [all; 2], last: 0, order };
+        let shared = |order: Order| Self { all, groups: [all; 2], last: 0, order };
+        let game = match frame.game_state() {
+            GameState::EightBall(game) => game,
+            GameState::Rotation(_) => return shared(Order::Numbers),
+            GameState::Snooker(game) => return shared(Order::RedsAndColors(game.on())),
+            _ => return shared(Order::Free),
         };
         let of_group =
             |group: Group| set_of((1..=15).filter(|b| Group::of(*b) == Some(group))) & all;
@@ -87,6 +91,21 @@ impl Needs {
             // The lowest bit.
             Order::Numbers => return left & left.wrapping_neg(),
             Order::Free => return left,
+            Order::RedsAndColors(on) => {
+                let reds = self.all & set_of((0..).take(MOST_BALLS).filter(|b| value(*b) == 1));
+                let colors = self.all & !reds;
+                let is_red = reds & only(ball) != 0;
+                return match on {
+                    _ if is_red => colors,
+                    // The colour is spotted again.
+                    On::Color if reds != 0 => reds,
+                    On::Color => colors & colors.wrapping_neg(),
+                    _ => {
+                        let rest = colors & !only(ball);
+                        rest & rest.wrapping_neg()
+                    }
+                };
+            }
             Order::Group(Some(seat)) => self.groups[seat],
             Order::Group(None) => {
                 let [solids, stripes] = self.groups;
@@ -128,6 +147,16 @@ mod tests {
             [0, 1].map(|seat| needs.balls(seat)),
             [set_of([1, 2, 8].into_iter()), set_of([8, 9].into_iter())]
         );
+    }
+
+    #[test]
+    fn a_color_follows_a_red_in_snooker_and_at_last_they_fall_in_their_order() {
+        let colors = set_of(16..=21);
+        let reds_left = needs(Rules::Snooker, &[1, 2, 16, 17, 18, 19, 20, 21]);
+        assert_eq!(reds_left.after(1), colors);
+        let none_left = needs(Rules::Snooker, &[16, 17, 18, 19, 20, 21]);
+        assert_eq!(none_left.after(16), only(17));
+        assert_eq!(needs(Rules::Snooker, &[21]).after(21), 0);
     }
 
     #[test]
