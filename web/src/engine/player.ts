@@ -72,7 +72,7 @@ export interface Chance {
 
 /** One of the best plays, with chances that are counted with errors which took no part in the choice. */
 export interface Recommendation {
-  /** What the play is meant to do; the first four pot a ball. */
+  /** What the play is meant to do; the first five pot a ball, an indirect one on a way that is no line. */
   readonly kind:
     "direct" | "bank" | "kick" | "combination" | "indirect" | "safety" | "carom" | "break" | "push-out";
   /** The ball that is to fall, and its pocket; null if none is. */
