@@ -164,9 +164,108 @@ test("every game can be racked on its table", async ({ open }) => {
   }
 });
 
+test("cloth, balls and rails are chosen, kept by the link, and taken back in one step each", async ({
+  open,
+}) => {
+  const page = await open();
+  await page.getByRole("tab", { name: "Physics" }).click();
+  const panel = page.locator("#panel-physics");
+  const chosen = () =>
+    panel
+      .locator(".labelled select:visible")
+      .evaluateAll((lists) =>
+        lists.map((list) => (list as HTMLSelectElement).selectedOptions[0]!.textContent),
+      );
+  const before = await shotOf(page);
+  expect(await chosen()).toEqual(["As the table has it", "Used", "As the table has it"]);
+  await panel.getByRole("combobox", { name: "Cloth" }).selectOption("Slow club cloth");
+  expect((await shotOf(page)).physics).toBe("pool-worn-cloth");
+  await panel.getByRole("combobox", { name: "Balls" }).selectOption("Dirty");
+  await panel.getByRole("combobox", { name: "Rails" }).selectOption("Valley");
+  const physics = {
+    base: "pool-worn-cloth",
+    ball_ball: { friction: { b: 0.1393, c: 0.455 } },
+    cushion: { friction: 0.208 },
+  };
+  expect((await shotOf(page)).physics).toEqual(physics);
+  await picture(page, "physics-choices");
+  // What is chosen is also in the numbers.
+  await panel.getByText("Numbers", { exact: true }).click();
+  expect(await panel.getByRole("combobox", { name: "Preset" }).inputValue()).toBe(physics.base);
+  await panel.getByText("Cushions", { exact: true }).click();
+  const friction = panel.getByRole("spinbutton", { name: "Friction" });
+  expect(await friction.last().inputValue()).toBe("0.208");
+
+  await expect.poll(() => new URL(page.url()).hash).toMatch(/^#s=/);
+  const hash = new URL(page.url()).hash;
+  const other = await open({ hash });
+  await other.getByRole("tab", { name: "Physics" }).click();
+  const lists = other.locator("#panel-physics").getByRole("combobox");
+  expect(
+    await lists.evaluateAll((all) => all.map((one) => (one as HTMLSelectElement).value)),
+  ).toEqual(["worn-cloth", "dirty-balls", "valley"]);
+  const first = lists.first().locator("option").first();
+  expect(await first.textContent()).toBe("As the table has it");
+
+  const undo = page.getByRole("button", { name: "Undo: change the physics" });
+  await undo.click();
+  await undo.click();
+  expect((await shotOf(page)).physics).toBe("pool-worn-cloth");
+  await undo.click();
+  expect(await shotOf(page)).toEqual(before);
+  await panel.getByText("Numbers", { exact: true }).click();
+  expect(await chosen()).toEqual(["As the table has it", "Used", "As the table has it"]);
+});
+
+test("own numbers of a cloth are shown, and a choice replaces them in one step", async ({
+  open,
+}) => {
+  const page = await open();
+  await page.getByRole("tab", { name: "Physics" }).click();
+  const panel = page.locator("#panel-physics");
+  const cloth = panel.getByRole("combobox", { name: "Cloth" });
+  expect(await cloth.getByText("Own numbers").count()).toBe(0);
+  await panel.getByText("Numbers", { exact: true }).click();
+  const field = panel.getByRole("spinbutton", { name: "Sliding friction" });
+  await field.fill("0.3");
+  await field.press("Enter");
+  expect(await cloth.inputValue()).toBe("numbers");
+  await cloth.focus();
+  await cloth.selectOption("New cloth");
+  expect((await shotOf(page)).physics).toBe("pool-new-cloth");
+  expect(await field.inputValue()).toBe("0.15");
+  expect(await cloth.getByText("Own numbers").count()).toBe(0);
+  await page.getByRole("button", { name: "Undo: change the physics" }).click();
+  expect((await shotOf(page)).physics).toEqual({ cloth: { sliding_friction: 0.3 } });
+  expect(await cloth.inputValue()).toBe("numbers");
+  await cloth.selectOption("As the table has it");
+  expect("physics" in (await shotOf(page))).toBe(false);
+});
+
+test("a snooker table has no choices, and with the physics of pool it has them", async ({
+  open,
+}) => {
+  const page = await open();
+  await page.getByRole("tab", { name: "Layout" }).click();
+  await page.getByRole("combobox", { name: "Table" }).selectOption("snooker-12ft");
+  await page.getByRole("tab", { name: "Physics" }).click();
+  const panel = page.locator("#panel-physics");
+  await panel.getByText(/^This physics has one cloth/).waitFor();
+  expect(await panel.getByRole("combobox").count()).toBe(0);
+  await panel.getByText("Numbers", { exact: true }).click();
+  await panel.getByRole("combobox", { name: "Preset" }).selectOption("pool-valley");
+  await panel.getByText(/^On new cloth balls roll further/).waitFor();
+  const rails = panel.getByRole("combobox", { name: "Rails" });
+  expect(await rails.inputValue()).toBe("valley");
+  await rails.selectOption("Usual");
+  // Not the table's own physics, which is that of snooker.
+  expect((await shotOf(page)).physics).toBe("pool");
+});
+
 test("a physics parameter is changed, refused out of range, and reset", async ({ open }) => {
   const page = await open();
   await page.getByRole("tab", { name: "Physics" }).click();
+  await page.getByText("Numbers", { exact: true }).click();
   const field = page.getByRole("spinbutton", { name: "Sliding friction" });
   await field.fill("0.3");
   await field.press("Enter");
@@ -184,6 +283,7 @@ test("a physics parameter is changed, refused out of range, and reset", async ({
 test("of a preset a speed band and a rail's fit are changed and reset", async ({ open }) => {
   const page = await open();
   await page.getByRole("tab", { name: "Physics" }).click();
+  await page.getByText("Numbers", { exact: true }).click();
   await page.getByRole("combobox", { name: "Preset" }).selectOption("Carom, heated");
   expect((await shotOf(page)).physics).toBe("carom");
   const write = async (quantity: string, name: string, value: string) => {
@@ -213,6 +313,7 @@ test("of a preset a speed band and a rail's fit are changed and reset", async ({
 test("a coefficient is given as a number or by speed, and back", async ({ open }) => {
   const page = await open();
   await page.getByRole("tab", { name: "Physics" }).click();
+  await page.getByText("Numbers", { exact: true }).click();
   const physics = async () => (await shotOf(page)).physics ?? {};
   const group = (name: string) => page.getByRole("group", { name, exact: true });
   const given = (name: string) => group(name).getByRole("combobox", { name: "Given" });

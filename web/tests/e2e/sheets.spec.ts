@@ -52,6 +52,8 @@ for (const viewport of SIZES) {
       await page.keyboard.press("Escape");
       await showTab(page, "physics");
       await look("physics");
+      await page.locator("#panel-physics").getByText("Numbers", { exact: true }).click();
+      await look("numbers of the physics");
       await showTab(page, "whatif");
       await page.locator("#panel-whatif").getByRole("switch").check();
       await page.locator("#variants[data-done=true]").waitFor();

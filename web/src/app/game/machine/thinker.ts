@@ -4,11 +4,14 @@ import ThinkerWorker from "../../../engine/thinker-worker.ts?worker&inline";
 import type { Engine } from "../../../engine/index.ts";
 import { connectThinker, type Thinker } from "../../../engine/thinker-client.ts";
 
+/** The worker's name, by which a debugger and the tests tell it from the page's other workers. */
+const NAME = "player";
+
 let thinker: Promise<Thinker> | null = null;
 
 /** The player; every part of the page that asks it shares the worker. */
 export function thinkerOf(engine: Engine): Promise<Thinker> {
-  thinker ??= connectThinker(engine, new ThinkerWorker()).catch((error: unknown) => {
+  thinker ??= connectThinker(engine, new ThinkerWorker({ name: NAME })).catch((error: unknown) => {
     // The next question tries again.
     thinker = null;
     throw error;

@@ -87,7 +87,7 @@ export const page: Translation<typeof en.page> = {
     "Unter Spielen spielen Personen und Maschinen mit Schiedsrichter. Eine Ansage, die nötig ist, folgt dem Ziel; tippen Sie Kugel und Tasche an, um andere anzusagen. Auch Stöße lassen sich rückgängig machen.",
   "help.else": "Alles andere",
   "help.else-text":
-    "Unter Lage stehen Aufbau, Tische und Kugeln, unter Physik die Modelle und ihre Beiwerte.",
+    "Unter Lage stehen Aufbau, Tische und Kugeln, unter Physik Tuch, Kugeln und Banden mit ihren Zahlen.",
   "help.keys": "Tasten",
   "help.keys-hint": "Pfeiltasten, Eingabe- und Leertaste wirken, wenn der Tisch den Fokus hat.",
   "help.software": "Software in dieser Seite und ihre Lizenzen",

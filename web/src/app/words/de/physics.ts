@@ -2,10 +2,28 @@ import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
 export const physics: Translation<typeof en.physics> = {
-  "physics.title": "Physik",
+  "physics.title": "Tisch",
+  "physics.cloth": "Tuch",
+  "physics.balls": "Kugeln",
+  "physics.rails": "Banden",
+  "physics.as-the-table": "Wie der Tisch es hat",
+  "physics.usual": "Üblich",
+  "physics.used-balls": "Gespielt",
+  "physics.own-numbers": "Eigene Zahlen",
+  "physics.numbers": "Zahlen",
+  "physics.choices-hint":
+    "Auf neuem Tuch rollen die Kugeln weiter, und Effet hält länger. Schmutzige Kugeln lenken einander stärker ab.",
+  "physics.no-choices":
+    "Zu dieser Physik gibt es nur ein Tuch, einen Satz Kugeln und eine Art Banden. Ihre Zahlen lassen sich ändern.",
   "physics.preset": "Vorlage",
   "physics.tables-own": "Die des Tisches ({preset})",
   "physics.given": "Angabe",
+  "condition.new-cloth": "Neues Tuch",
+  "condition.worn-cloth": "Langsames Vereinstuch",
+  "condition.clean-balls": "Sauber",
+  "condition.dirty-balls": "Schmutzig",
+  "condition.gold-crown": "Brunswick Gold Crown",
+  "condition.valley": "Valley",
   "kind.number": "als Zahl",
   "kind.by-speed": "nach Tempo",
   "kind.by-angle": "nach Winkel",

@@ -84,7 +84,7 @@ export const page = {
     "Under Play, persons and machines play a frame with a referee. A call that is required follows the aim; tap a ball and a pocket to call others. Undo also takes back shots.",
   "help.else": "Everything else",
   "help.else-text":
-    "Layout has racks, tables and balls; Physics has the models and their coefficients.",
+    "Layout has racks, tables and balls; Physics has cloth, balls and rails, and their numbers.",
   "help.keys": "Keys",
   "help.keys-hint": "Arrow keys, Enter and Space work while the table has the focus.",
   "help.software": "Software inside this page, and its licenses",

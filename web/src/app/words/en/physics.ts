@@ -1,9 +1,27 @@
 /** The forms of the physics and of the table: names by key, hints by path in the shot file. */
 export const physics = {
-  "physics.title": "Physics",
+  "physics.title": "Table",
+  "physics.cloth": "Cloth",
+  "physics.balls": "Balls",
+  "physics.rails": "Rails",
+  "physics.as-the-table": "As the table has it",
+  "physics.usual": "Usual",
+  "physics.used-balls": "Used",
+  "physics.own-numbers": "Own numbers",
+  "physics.numbers": "Numbers",
+  "physics.choices-hint":
+    "On new cloth balls roll further and spin lasts longer. Dirty balls throw more.",
+  "physics.no-choices":
+    "This physics has one cloth, one set of balls and one kind of rails. You can change its numbers.",
   "physics.preset": "Preset",
   "physics.tables-own": "Table’s own ({preset})",
   "physics.given": "Given",
+  "condition.new-cloth": "New cloth",
+  "condition.worn-cloth": "Slow club cloth",
+  "condition.clean-balls": "Clean",
+  "condition.dirty-balls": "Dirty",
+  "condition.gold-crown": "Brunswick Gold Crown",
+  "condition.valley": "Valley",
   "kind.number": "as a number",
   "kind.by-speed": "by speed",
   "kind.by-angle": "by angle",

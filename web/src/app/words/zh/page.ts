@@ -76,7 +76,7 @@ export const page: Translation<typeof en.page> = {
   "help.game-text":
     "在“对局”中，真人和机器在裁判规则下对局。必须的指定会跟随瞄准；点击球和袋口可以改为指定其他球。击球也可以撤销。",
   "help.else": "其他",
-  "help.else-text": "“布局”中有摆球、球台和球；“物理”中有模型和系数。",
+  "help.else-text": "“布局”中有摆球、球台和球；“物理”中有台呢、球和库边及其数值。",
   "help.keys": "按键",
   "help.keys-hint": "球台获得焦点时，方向键、回车键和空格键有效。",
   "help.software": "本页面使用的软件及其许可证",
