@@ -6,7 +6,6 @@ use carom::table::PocketName;
 use carom_rules::{BallIndex, Call, Frame, Play, Seat, Turn};
 
 use super::candidate::{Candidate, PlayKind};
-use super::pots::least_share;
 use crate::line::Line;
 use crate::player::Situation;
 use crate::targets::Targets;
@@ -26,8 +25,6 @@ pub(crate) struct Explorer<'a> {
     pub(crate) plays: u64,
     /// Most simulations.
     pub(crate) most: u64,
-    /// Lines of pots that are less probable than this share of the most probable one are not tried.
-    pub(crate) least_share: f64,
     pub(crate) found: Vec<Candidate>,
 }
 
@@ -47,7 +44,6 @@ impl<'a> Explorer<'a> {
             successor: situation.frame.clone(),
             plays: 0,
             most,
-            least_share: least_share(0),
             found: Vec::new(),
         }
     }

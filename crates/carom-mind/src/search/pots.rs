@@ -7,7 +7,7 @@ use carom::resolve::cue_ball::Strike;
 use carom::{Error, Noise, Shot};
 use carom_rules::Call;
 
-use super::candidate::{Candidate, PlayKind};
+use super::candidate::PlayKind;
 use super::explore::Explorer;
 use crate::aim::aim;
 use crate::line::{self, Line, LineKind};
@@ -29,19 +29,12 @@ const OFFSET_USED: f64 = 0.75;
 /// Number of standard deviations of the tip's errors by which a play keeps away from the miscue
 /// limit. Drawn strikes beyond it are moved back, so they must not look attractive.
 const AWAY: f64 = 2.5;
-/// Lines that are less probable than this are not tried.
+/// Lines that are less probable than this, or than this share of the most probable one, are not tried.
 const LEAST_CHANCE: f64 = 0.02;
-/// Lines that are less probable than this share of the most probable one are not tried by rounds with up to
-/// this many simulations. In larger rounds the share is in inverse proportion to the simulations.
 const LEAST_SHARE: f64 = 0.5;
-const OF_ROUND: u64 = 1200;
 /// A ball that is on its way into the pocket but does not fall was too slow, if the cue was slower than this
 /// multiple of the least speed by geometry. A faster ball has bounced off a jaw.
 const SLOW: f64 = 2.5;
-/// Fewest samples of a play by which the chance of its line is estimated, and the number of samples that count as
-/// much as the chance by geometry.
-const ENOUGH: usize = 16;
-const OF_GEOMETRY: f64 = 16.0;
 /// Number of lines that are tried, the most probable.
 const MOST_LINES: usize = 14;
 /// Share of the tolerance by which a missed shot is turned to value what it leaves.
@@ -65,12 +58,8 @@ pub(crate) struct KnownLine {
     pub(crate) line: Line,
     /// Number of the prepared position.
     pub(crate) place: usize,
-    /// The chance of the pot by geometry.
-    by_geometry: f64,
-    /// The estimated chance of the pot: by geometry, then by the samples of the best play on this line.
+    /// The estimated chance of the pot.
     chance: f64,
-    /// The chance by geometry as a share of that of the most probable line from this position.
-    share: f64,
     /// The turn of the azimuth from geometry's, and the slope of the miss, of the last strike that
     /// potted the ball.
     turned: Option<(f64, f64)>,
@@ -80,38 +69,10 @@ pub(crate) struct KnownLine {
     too_slow: f64,
     /// The value of a missed shot by its speed, of those that were tried.
     missed: [Option<f64>; SPEEDS.len()],
-    /// The value of the best play on this line: the highest prior, then that by samples.
+    /// The highest prior of a play on this line.
     best: f64,
     /// Number of strikes of the coarse lattice that were tried.
     tried: usize,
-}
-
-impl KnownLine {
-    /// Whether `candidate` is a play on this line.
-    pub(crate) fn has(&self, candidate: &Candidate) -> bool {
-        self.place == candidate.place && candidate.line == Some(self.line)
-    }
-
-    /// Estimates the chance of the pot by the samples of the best play on this line. Geometry does not see how
-    /// a bank depends on the speed, nor that a ball may go into another pocket.
-    pub(crate) fn learn(&mut self, candidates: &[Candidate]) {
-        let of_line = candidates.iter().filter(|candidate| self.has(candidate));
-        let best = of_line
-            .filter(|candidate| candidate.samples.len() >= ENOUGH)
-            .max_by(|a, b| a.mean().total_cmp(&b.mean()));
-        if let Some(best) = best {
-            let count = best.samples.len() as f64;
-            let kept = best.share(|sample| sample.kept) * count;
-            self.chance = (OF_GEOMETRY * self.by_geometry + kept) / (OF_GEOMETRY + count);
-            self.best = best.mean();
-        }
-    }
-}
-
-/// Lines that are less probable than this share of the most probable one are not tried by a round with `size`
-/// simulations.
-pub(crate) fn least_share(size: u64) -> f64 {
-    LEAST_SHARE * OF_ROUND as f64 / size.max(OF_ROUND) as f64
 }
 
 impl Explorer<'_> {
@@ -131,27 +92,13 @@ impl Explorer<'_> {
             let (chance, least_speed) = (line.chance(noise, radius), line.least_speed(rolling));
             let (missed, too_slow) = ([None; SPEEDS.len()], least_speed);
             let (turned, best, tried) = (None, 0.0, 0);
-            let (by_geometry, share) = (chance, 1.0);
-            KnownLine {
-                line,
-                place,
-                by_geometry,
-                chance,
-                share,
-                turned,
-                least_speed,
-                too_slow,
-                missed,
-                best,
-                tried,
-            }
+            KnownLine { line, place, chance, turned, least_speed, too_slow, missed, best, tried }
         };
         let mut rated: Vec<KnownLine> = lines.into_iter().map(known).collect();
-        rated.retain(|known| known.chance > LEAST_CHANCE);
+        let best = rated.iter().map(|known| known.chance).fold(0.0, f64::max);
+        rated.retain(|known| known.chance > LEAST_CHANCE.max(LEAST_SHARE * best));
         rated.sort_by(|a, b| b.chance.total_cmp(&a.chance));
         rated.truncate(MOST_LINES);
-        let best = rated.first().map_or(1.0, |known| known.chance);
-        rated.iter_mut().for_each(|known| known.share = known.chance / best);
         rated
     }
 
@@ -201,9 +148,6 @@ impl Explorer<'_> {
     /// Goes on with the coarse lattice of a line: every second speed, heights of the ends and the middle, no
     /// side.
     fn coarse_pots(&mut self, prepared: &Prepared<'_>, known: &mut KnownLine) -> Result<(), Error> {
-        if known.share < self.least_share {
-            return Ok(());
-        }
         while known.tried < COARSE_HEIGHTS * (SPEEDS.len() / 2) && !self.is_spent() {
             let (speed, height) = (known.tried / COARSE_HEIGHTS, known.tried % COARSE_HEIGHTS);
             known.tried += 1;

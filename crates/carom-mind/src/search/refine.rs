@@ -43,7 +43,9 @@ impl Explorer<'_> {
         let scale = 1.0 / f64::from(1_u32 << (round / 2).min(16));
         for candidate in candidates {
             let position = &prepared[candidate.place];
-            let mut line = lines.iter_mut().find(|known| known.has(candidate));
+            let mut line = lines
+                .iter_mut()
+                .find(|known| known.place == candidate.place && Some(known.line) == candidate.line);
             for direction in DIRECTIONS {
                 if self.is_spent() {
                     return Ok(());

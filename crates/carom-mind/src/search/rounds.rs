@@ -8,12 +8,11 @@ use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
 use super::kernel_tree::KernelTree;
 use super::openings::opening_shots;
-use super::pots::{KnownLine, least_share};
+use super::pots::KnownLine;
 use super::race::Race;
 use super::replies::Replies;
 use super::shift::{deviations, uphill};
 use crate::breaks::BreakShot;
-use crate::line::Line;
 use crate::player::{Budget, Situation, Spent};
 use crate::settings::{SearchMethod, SearchSettings};
 use crate::value::Value;
@@ -29,10 +28,6 @@ const ANYTHING: u64 = 600;
 const ALIKE: f64 = 0.08;
 /// Number of alike plays that enter the race.
 const MOST_ALIKE: usize = 2;
-/// Plays of each line that enter the race before others.
-const OF_LINE: usize = 2;
-/// The part of the room for plays without a line.
-const WITHOUT_LINE: usize = 8;
 /// Push-outs that enter the race.
 const PUSH_OUTS: usize = 6;
 /// Candidates that a further round keeps.
@@ -194,7 +189,6 @@ impl Rounds {
         let in_tree = settings.method == SearchMethod::KrUct && !situation.frame.is_opening();
         let mut known = 0;
         let mut explorer = Explorer::new(situation, value, turn, 0);
-        explorer.least_share = least_share(self.size);
         if is_first {
             let simulations = (settings.exploring * self.size as f64) as u64;
             self.lines = explore(&mut explorer, (prepared, &self.openings), simulations)?;
@@ -241,7 +235,6 @@ impl Rounds {
                 self.spent.simulations += replies.search(&race, &mut self.candidates)?;
             }
         }
-        self.lines.iter_mut().for_each(|known| known.learn(&self.candidates));
         self.spent.rounds += 1;
         self.races += 1;
         let left = self.racing.saturating_sub(self.spent.simulations);
@@ -325,19 +318,10 @@ fn explore(
     Ok(lines)
 }
 
-/// At most `count` of `found`, not too many alike: first the best of each line by their priors and some without a
-/// line, because the priors of two lines are hard to compare, then the best of all.
+/// The best of `found` by their priors, not too many alike, at most `count`.
 fn best_of(mut found: Vec<Candidate>, count: usize) -> Vec<Candidate> {
     shuffle(&mut found);
     found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
-    let mut lines: Vec<(Option<Line>, usize)> = Vec::new();
-    let (mut found, rest): (Vec<_>, Vec<_>) = found.into_iter().partition(|candidate| {
-        let line = (candidate.line, candidate.place);
-        let before = lines.iter().filter(|other| **other == line).count();
-        lines.push(line);
-        before < if candidate.line.is_some() { OF_LINE } else { count / WITHOUT_LINE }
-    });
-    found.extend(rest);
     let mut kept: Vec<Candidate> = Vec::new();
     for candidate in found {
         let alike = kept.iter().filter(|other| are_alike(&candidate, other)).count();
