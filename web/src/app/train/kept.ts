@@ -1,6 +1,7 @@
 /** Keeps a drill or puzzle in progress while the page loads again. */
 
 import type { Engine } from "../../engine/index.ts";
+import { inSlices } from "../common/slices.ts";
 import { readLink } from "../share/address.ts";
 import { LinkError } from "../share/link.ts";
 import { isReload } from "../share/reload.ts";
@@ -19,18 +20,7 @@ interface Stored {
 
 /** Goes on with the drill of before the reload, and keeps it for the next one. */
 export function mountKept(practice: Practice, store: Store, engine: Engine): void {
-  try {
-    const text = sessionStorage.getItem(KEPT);
-    sessionStorage.removeItem(KEPT);
-    if (text !== null && isReload()) {
-      const { kept, before } = JSON.parse(text) as Stored;
-      const link = before === null ? null : readLink(engine, before);
-      practice.resume(kept, link?.document ?? null);
-    }
-  } catch (error) {
-    // Some frames have no storage, and a long game before the drill does not fit into a link.
-    if (!(error instanceof DOMException || error instanceof LinkError)) throw error;
-  }
+  void resume(practice, engine);
   addEventListener("pagehide", () => {
     const running = practice.keep();
     if (!running) return;
@@ -42,4 +32,18 @@ export function mountKept(practice: Practice, store: Store, engine: Engine): voi
       if (!(error instanceof DOMException)) throw error;
     }
   });
+}
+
+async function resume(practice: Practice, engine: Engine): Promise<void> {
+  try {
+    const text = sessionStorage.getItem(KEPT);
+    sessionStorage.removeItem(KEPT);
+    if (text === null || !isReload()) return;
+    const { kept, before } = JSON.parse(text) as Stored;
+    const link = before === null ? null : await inSlices(readLink(engine, before));
+    practice.resume(kept, link?.document ?? null);
+  } catch (error) {
+    // Some frames have no storage, and a long game before the drill does not fit into a link.
+    if (!(error instanceof DOMException || error instanceof LinkError)) throw error;
+  }
 }
