@@ -1,5 +1,6 @@
 import type { Page } from "playwright-core";
 import { expect, onPage, picture, settled, shotOf, SMALL, test } from "./fixture.ts";
+import { showTab, SIZES } from "./sizes.ts";
 
 /** Racks that are searched. About one usual break of nine-ball in ten pockets the nine. */
 const RACKS = 500;
@@ -86,6 +87,34 @@ test("the ruling appears when the replay of the shot ends, not before", async ({
   await page.keyboard.press("Escape");
   expect(await bar(page)).toMatch(/Bea to shoot/);
 });
+
+for (const viewport of SIZES) {
+  test(`a replay in a game leaves room for its timeline at ${viewport.width}×${viewport.height}`, async ({
+    open,
+  }) => {
+    // Seen: half of the slider was below the window.
+    const page = await open({ viewport, reducedMotion: "reduce" });
+    await page.getByRole("radio", { name: "Play" }).click();
+    await showTab(page, "game");
+    const panel = page.locator("#panel-game");
+    await panel.getByLabel("Player 1", { exact: true }).fill("Anastasia of the Club");
+    await panel.getByLabel("Player 2", { exact: true }).fill("Machine of level five");
+    await panel.getByRole("button", { name: "Start the game" }).click();
+    await page.evaluate(() => {
+      const { store } = window.carom!;
+      store.strike({ speed: 1 }, "softly");
+    });
+    await page.getByRole("button", { name: "Shoot" }).click();
+    await showTab(page, "game");
+    await page.getByRole("button", { name: "Replay move 1" }).click();
+    await page.locator("#game-bar").getByRole("button", { name: "Analyse" }).waitFor();
+    // As while the machine thinks.
+    await page.locator("#game-bar .machine").evaluate((sign) => sign.removeAttribute("hidden"));
+    const dock = (await page.locator(".dock").boundingBox())!;
+    const slider = (await page.getByRole("slider", { name: "Time" }).boundingBox())!;
+    expect(slider.y + slider.height).toBeLessThanOrEqual(dock.y + dock.height);
+  });
+}
 
 // Seen: a TypeError, because the ball under the pointer was looked up among the balls after the shot.
 test("in the replay the pointer can be over a ball that the shot pocketed", async ({ open }) => {
