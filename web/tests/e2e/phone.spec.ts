@@ -140,3 +140,22 @@ test("neither a short tap nor a mouse has a loupe", async ({ open }) => {
   await page.mouse.up();
   expect(await seen()).toEqual([]);
 });
+
+test("the button that shoots is in the dock, however long the text above it", async ({ open }) => {
+  // Seen: the rule for the dock of a game held without one, and cut the button in a drill and the first steps.
+  const button = async (page: Page) => {
+    const dock = (await page.locator(".dock").boundingBox())!;
+    const box = (await page.locator("#shoot-button").boundingBox())!;
+    return dock.y + dock.height - box.y - box.height;
+  };
+  const page = await open({ viewport: PHONE });
+  await page.getByRole("radio", { name: "Train" }).click();
+  await page.locator("#drill-stop").click();
+  await page.getByRole("button", { name: "Play here" }).click();
+  await page.locator("#outcome", { hasText: "Attempt 1 of 10" }).waitFor();
+  expect(await button(page), "drill").toBeGreaterThan(0);
+  const other = await open({ viewport: PHONE, locale: "de-DE", firstSteps: true });
+  await other.evaluate(() => window.carom!.store.aimAtPocket("9", "top-right", "aim"));
+  await settled(other);
+  expect(await button(other), "first steps").toBeGreaterThan(0);
+});
