@@ -1,6 +1,6 @@
 /** Games of the page as records of frames, `carom-frame/1`, and back. */
 
-import { CaromError, type Engine, type FrameRecord } from "../../engine/index.ts";
+import { CaromError, type Engine, type Frame, type FrameRecord } from "../../engine/index.ts";
 import { replaySteps } from "../../engine/frame-record.ts";
 import { errorText, PageError } from "../common/refusals.ts";
 import type { Slices } from "../common/slices.ts";
@@ -60,6 +60,25 @@ function* variationsOf(
   return Object.fromEntries(entries);
 }
 
+/** The frame of a record. @throws PageError that names the move, if it is damaged or not allowed. */
+function* frameOf(engine: Engine, record: FrameRecord): Slices<Frame> {
+  const { setup, moves } = record as { readonly setup?: unknown; readonly moves?: unknown };
+  if (typeof setup !== "object" || setup === null || !Array.isArray(moves)) {
+    throw new PageError(t("error.game"), "record");
+  }
+  try {
+    return yield* replaySteps(engine, record);
+  } catch (error) {
+    if (!(error instanceof CaromError)) throw error;
+    const index = /^moves\[(\d+)\]$/.exec(error.place)?.[1];
+    if (index === undefined) throw error;
+    // The engine's message begins with the place, which is a number of the file.
+    const message = error.message.slice(`${error.place}: `.length);
+    const why = errorText(new CaromError(message, error.place, error.shot));
+    throw new PageError(t("link.move", { number: Number(index) + 1, why }), error.place);
+  }
+}
+
 /**
  * The game of a record, at its end.
  *
@@ -69,7 +88,7 @@ export function* gameOfRecord(
   engine: Engine,
   record: FrameRecord,
 ): Slices<Pick<Document, "game" | "shot">> {
-  const frame = yield* replaySteps(engine, record);
+  const frame = yield* frameOf(engine, record);
   // Written again, so that records of other programs have the form of this page.
   const { setup, moves } = frame.record;
   frame.free();
