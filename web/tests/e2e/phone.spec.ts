@@ -159,3 +159,26 @@ test("the button that shoots is in the dock, however long the text above it", as
   await settled(other);
   expect(await button(other), "first steps").toBeGreaterThan(0);
 });
+
+test("a finger drags a ball from the tray onto the table", async ({ open }) => {
+  // Seen: the panel scrolled instead.
+  const page = await open({ viewport: PHONE, hasTouch: true, isMobile: true });
+  await showTab(page, "layout");
+  const chip = (await page.getByRole("button", { name: "Put ball 5 on the table" }).boundingBox())!;
+  const from = { x: chip.x + chip.width / 2, y: chip.y + chip.height / 2 };
+  const to = await onPage(page, 0.635, 2);
+  const session = await page.context().newCDPSession(page);
+  const touch = async (type: "touchStart" | "touchMove" | "touchEnd", share: number) => {
+    const x = from.x + share * (to.x - from.x);
+    const y = from.y + share * (to.y - from.y);
+    const touchPoints = type === "touchEnd" ? [] : [{ x, y }];
+    await session.send("Input.dispatchTouchEvent", { type, touchPoints });
+    await settled(page);
+  };
+  await touch("touchStart", 0);
+  for (let k = 1; k <= 8; k += 1) await touch("touchMove", k / 8);
+  await touch("touchEnd", 1);
+  await session.detach();
+  const [x, y] = (await shotOf(page)).balls.find(({ id }) => id === "5")!.position;
+  expect(Math.hypot(x - 0.635, y - 2)).toBeLessThan(0.01);
+});
