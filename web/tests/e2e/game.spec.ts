@@ -116,6 +116,19 @@ for (const viewport of SIZES) {
   });
 }
 
+test("the speed can be seen and set in a game at 844×390", async ({ open }) => {
+  // Seen: the bar was as wide as its knob, and the number was cut.
+  const page = await open({ viewport: { width: 844, height: 390 } });
+  await begin(page);
+  const { width } = (await page.locator("#shoot .power-bar").boundingBox())!;
+  expect(width).toBeGreaterThan(70);
+  await page.evaluate(() => window.carom!.store.strike({ speed: 7.5 }, "speed"));
+  await settled(page);
+  const said = page.locator(".power-speed");
+  expect(await said.textContent()).toMatch(/^7\.5 m\/s/);
+  expect(await said.evaluate((text) => text.clientWidth)).toBeGreaterThan(70);
+});
+
 // Seen: a TypeError, because the ball under the pointer was looked up among the balls after the shot.
 test("in the replay the pointer can be over a ball that the shot pocketed", async ({ open }) => {
   const page = await open({ reducedMotion: "reduce" });
