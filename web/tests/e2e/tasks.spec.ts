@@ -103,6 +103,8 @@ test("a long game opens from a file and a link, and is watched, in short tasks",
   await page.evaluate(() => window.carom!.store.undo());
   await page.evaluate(() => window.carom!.store.undo());
   expect(await moves(page)).toBe(0);
+  // The same address again would not be opened.
+  await expect.poll(() => page.evaluate(() => location.hash)).not.toBe(link);
   await mostShots(page);
   await page.evaluate((hash) => (location.hash = hash), link);
   await expect.poll(() => moves(page)).toBe(MOVES);
