@@ -38,7 +38,7 @@ async function start(): Promise<void> {
     },
   });
   const engine = await loading;
-  const first = startOf(engine);
+  const first = await startOf(engine);
   const store = new Store(referee(engine), first.document, first.view);
   const context: Context = {
     engine,
@@ -56,7 +56,7 @@ async function start(): Promise<void> {
   viewer.render();
   // The parts are mounted while another process draws the first picture.
   mountParts();
-  first.then(store, context);
+  first.begin(store, context);
   draw = () => {
     scene.update();
     if (viewer.needsFrame) viewer.render();

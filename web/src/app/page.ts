@@ -91,10 +91,10 @@ function mountParts(store: Store, context: Context, welcome: boolean): () => voi
   mountShare(place("share"), store, context);
   mountAddress(store, context);
   mountFriend(place("game-bar"), store, context);
-  mountReload(store, context.engine);
+  mountReload(store);
   mountDiamonds(place("stage"), store, context);
   const showSteps = mountOpening(place("shoot-button"), store, context, welcome);
-  const openHelp = mountHelp(place("help") as HTMLDialogElement, store, context, showSteps);
+  const openHelp = mountHelp(place("help") as HTMLDialogElement, store, showSteps);
   mountGestures(table, store, context);
   mountKeys(table, { store, context, openHelp });
   store.subscribe((now, before) => {

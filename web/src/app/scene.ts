@@ -13,6 +13,7 @@ import { presentCall } from "./game/calling.ts";
 import { canAim, standing } from "./game/turn.ts";
 import { guidesOf, lineFrom } from "./pot/guides.ts";
 import { strokePull } from "./replay/clock.ts";
+import { timedPaths } from "./replay/path.ts";
 import type { State, Store } from "./document/store.ts";
 
 /** Greatest distance (m) of a drawn path from the exact one: below a pixel at usual zooms. */
@@ -207,11 +208,14 @@ function guideLines(trace: Trace): BallPath[] {
 }
 
 function wholePaths(trace: Trace, extent: Guide | "trace"): BallPath[] {
-  const style = extent === "trace" ? "trace" : "ghost";
+  if (extent === "trace") {
+    const paths = timedPaths(trace, PATH_TOLERANCE);
+    return paths.map((points, ball) => ({ ball, points, style: "trace" }));
+  }
   return trace.shot.balls.map((_, ball) => ({
     ball,
     points: trace.polyline(ball, PATH_TOLERANCE),
-    style,
+    style: "ghost",
   }));
 }
 

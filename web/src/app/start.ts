@@ -7,6 +7,7 @@ import { CaromError, type Engine, type ShotFile } from "../engine/index.ts";
 import { playThenAim } from "./aim/autoplay.ts";
 import type { Context } from "./common/context.ts";
 import { errorText } from "./common/refusals.ts";
+import { inSlices, type Slices } from "./common/slices.ts";
 import { FIRST_VIEW, type Document, type View } from "./document/document.ts";
 import { cannotOpen, documentOf, readFile } from "./document/file.ts";
 import type { Store } from "./document/store.ts";
@@ -24,7 +25,7 @@ export interface Start {
   /** Whether to begin with the first steps: the page was opened for the first time, without a document. */
   readonly welcome: boolean;
   /** Runs once the page is mounted: shows a replay, or reports what could not be opened. */
-  then(store: Store, context: Context): void;
+  begin(store: Store, context: Context): void;
 }
 
 /** The first shot without the first steps: their first one, aimed at the pocket. */
@@ -33,15 +34,15 @@ const FIRST_SHOT: ShotFile = {
   strike: { ball: "cue", speed: 2, azimuth_deg: 66.8, height: -0.2 },
 };
 
-export function startOf(engine: Engine): Start {
+export async function startOf(engine: Engine): Promise<Start> {
   const first = documentOf(FIRST_SHOT);
   const element = document.getElementById("carom-document");
   const embedded = element?.textContent.trim() ?? "";
   const plays = element?.dataset.play !== undefined;
-  const kept = fromLink(engine, first, takeKept);
+  const kept = await fromLink(engine, first, takeKept);
   if (kept) return kept;
   if (embedded !== "") return fromEmbedded(engine, first, embedded, plays);
-  const linked = fromLink(engine, first, readAddress);
+  const linked = await fromLink(engine, first, readAddress);
   if (linked || hasSeenOpening()) return linked ?? showing(first);
   return { ...showing(documentOf(LESSONS[0]!.shot)), welcome: true };
 }
@@ -57,7 +58,7 @@ function fromEmbedded(engine: Engine, first: Document, json: string, plays: bool
     engine.shot(shot).free();
     return {
       ...showing({ ...first, shot }),
-      then: (store, context) => {
+      begin: (store, context) => {
         if (trace && plays) playThenAim(store, context, trace);
         else if (trace) replay(store, trace, 0, false);
       },
@@ -69,21 +70,21 @@ function fromEmbedded(engine: Engine, first: Document, json: string, plays: bool
 }
 
 /** The link that `read` finds; null if there is none. */
-function fromLink(
+async function fromLink(
   engine: Engine,
   first: Document,
-  read: (engine: Engine) => LinkContents | null,
-): Start | null {
+  read: (engine: Engine) => Slices<LinkContents | null>,
+): Promise<Start | null> {
   try {
-    const contents = read(engine);
+    const contents = await inSlices(read(engine));
     if (!contents) return null;
     const { document, view, time } = contents;
-    const then = (store: Store) => {
+    const begin = (store: Store) => {
       // A link may be opened anywhere; what was kept was here before.
       store.setSession({ sound: read !== readAddress });
       showTime(store, engine, time);
     };
-    return { document, view, welcome: false, then };
+    return { document, view, welcome: false, begin };
   } catch (error) {
     if (error instanceof LinkError) return refusing(first, error.message);
     // Our own bug must not leave the user with an empty page.
@@ -93,9 +94,9 @@ function fromLink(
 }
 
 function showing(document: Document): Start {
-  return { document, view: FIRST_VIEW, welcome: false, then: () => undefined };
+  return { document, view: FIRST_VIEW, welcome: false, begin: () => undefined };
 }
 
 function refusing(first: Document, message: string): Start {
-  return { ...showing(first), then: (store) => store.refuse(message) };
+  return { ...showing(first), begin: (store) => store.refuse(message) };
 }

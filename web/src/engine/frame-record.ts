@@ -16,6 +16,17 @@ const REMEDY = "give the value of Frame.record";
  * @throws CaromError if this is not a record of a frame, or a move is not allowed; the message has the move's index.
  */
 export function replay(engine: Pick<Engine, "frame" | "frameOf" | "shot">, record: unknown): Frame {
+  const steps = replaySteps(engine, record);
+  let step = steps.next();
+  while (!step.done) step = steps.next();
+  return step.value;
+}
+
+/** As `replay`, but yields before every move, so that a long frame can be replayed in parts. */
+export function* replaySteps(
+  engine: Pick<Engine, "frame" | "frameOf" | "shot">,
+  record: unknown,
+): Generator<undefined, Frame, undefined> {
   const { format, setup, moves } = object("record", record) as Partial<FrameRecord>;
   if (format !== FRAME_FORMAT) {
     const message = `format: not a record of a frame, "${FRAME_FORMAT}"; ${REMEDY}`;
@@ -28,8 +39,9 @@ export function replay(engine: Pick<Engine, "frame" | "frameOf" | "shot">, recor
     );
   }
   const frame = start(engine, setup);
-  moves.forEach((move: unknown, index) => {
-    if (isApplied(frame, move, moves[index - 1])) return;
+  for (const [index, move] of (moves as readonly unknown[]).entries()) {
+    yield;
+    if (isApplied(frame, move, moves[index - 1])) continue;
     try {
       make(frame, move);
     } catch (error) {
@@ -38,7 +50,7 @@ export function replay(engine: Pick<Engine, "frame" | "frameOf" | "shot">, recor
       const place = `moves[${index}]`;
       throw new CaromError(`${place}: ${error.message}`, place, error.shot);
     }
-  });
+  }
   return frame;
 }
 

@@ -1,5 +1,6 @@
 import type { Page } from "playwright-core";
 import { expect, onPage, picture, settled, shotOf, SMALL, test } from "./fixture.ts";
+import { showTab, SIZES } from "./sizes.ts";
 
 /** Racks that are searched. About one usual break of nine-ball in ten pockets the nine. */
 const RACKS = 500;
@@ -85,6 +86,47 @@ test("the ruling appears when the replay of the shot ends, not before", async ({
   await page.getByRole("button", { name: "Pause" }).waitFor();
   await page.keyboard.press("Escape");
   expect(await bar(page)).toMatch(/Bea to shoot/);
+});
+
+for (const viewport of SIZES) {
+  test(`a replay in a game leaves room for its timeline at ${viewport.width}×${viewport.height}`, async ({
+    open,
+  }) => {
+    // Seen: half of the slider was below the window.
+    const page = await open({ viewport, reducedMotion: "reduce" });
+    await page.getByRole("radio", { name: "Play" }).click();
+    await showTab(page, "game");
+    const panel = page.locator("#panel-game");
+    await panel.getByLabel("Player 1", { exact: true }).fill("Anastasia of the Club");
+    await panel.getByLabel("Player 2", { exact: true }).fill("Machine of level five");
+    await panel.getByRole("button", { name: "Start the game" }).click();
+    await page.evaluate(() => {
+      const { store } = window.carom!;
+      store.strike({ speed: 1 }, "softly");
+    });
+    await page.getByRole("button", { name: "Shoot" }).click();
+    await showTab(page, "game");
+    await page.getByRole("button", { name: "Replay move 1" }).click();
+    await page.locator("#game-bar").getByRole("button", { name: "Analyse" }).waitFor();
+    // As while the machine thinks.
+    await page.locator("#game-bar .machine").evaluate((sign) => sign.removeAttribute("hidden"));
+    const dock = (await page.locator(".dock").boundingBox())!;
+    const slider = (await page.getByRole("slider", { name: "Time" }).boundingBox())!;
+    expect(slider.y + slider.height).toBeLessThanOrEqual(dock.y + dock.height);
+  });
+}
+
+test("the speed can be seen and set in a game at 844×390", async ({ open }) => {
+  // Seen: the bar was as wide as its knob, and the number was cut.
+  const page = await open({ viewport: { width: 844, height: 390 } });
+  await begin(page);
+  const { width } = (await page.locator("#shoot .power-bar").boundingBox())!;
+  expect(width).toBeGreaterThan(70);
+  await page.evaluate(() => window.carom!.store.strike({ speed: 7.5 }, "speed"));
+  await settled(page);
+  const said = page.locator(".power-speed");
+  expect(await said.textContent()).toMatch(/^7\.5 m\/s/);
+  expect(await said.evaluate((text) => text.clientWidth)).toBeGreaterThan(70);
 });
 
 // Seen: a TypeError, because the ball under the pointer was looked up among the balls after the shot.

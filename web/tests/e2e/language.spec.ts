@@ -8,6 +8,8 @@ import { CATALOGUES, type Language } from "../../src/app/words/catalogue.ts";
 import type { ShotFile } from "../../src/engine/index.ts";
 import { expect, PHONE, pressTool, settled, shotOf, test } from "./fixture.ts";
 
+const WIDE = { width: 1280, height: 800 };
+
 const LOCALES = { de: "de-DE", zh: "zh-CN" } as const;
 
 /** English texts that the language does not share, and that are long enough not to be part of a name. */
@@ -19,7 +21,7 @@ const foreign = (language: Language): string[] => {
   );
 };
 
-/** All visible texts and names of controls, and the buttons that do not fit. */
+/** All visible texts and names of controls, the buttons that do not fit, and the texts that are cut. */
 const visible = (page: Page) =>
   page.evaluate(() => {
     const elements = [...document.querySelectorAll("body *")].filter((element) =>
@@ -44,20 +46,52 @@ const visible = (page: Page) =>
               element.getBoundingClientRect().right > innerWidth + 1),
         )
         .map(({ textContent }) => textContent),
+      cut: elements
+        .filter(
+          (element) =>
+            !element.matches(
+              ".unseen, .brand, .power-speed, .timeline .said, svg *, select, option, textarea",
+            ) &&
+            [...element.childNodes].some(
+              ({ nodeType, textContent }) => nodeType === Node.TEXT_NODE && textContent?.trim(),
+            ) &&
+            (element.clientWidth > 0
+              ? element.scrollWidth > element.clientWidth + 1
+              : element.getBoundingClientRect().right > innerWidth + 1),
+        )
+        .map(({ textContent }) => textContent),
+      aside: elements
+        .filter(
+          (element) =>
+            element.matches(".tabpanel, .dock") && element.scrollWidth > element.clientWidth,
+        )
+        .map(({ id, className }) => id || className),
       overflow: document.documentElement.scrollWidth - innerWidth,
     };
   });
 
-for (const language of ["de", "zh"] as const) {
-  test(`every panel is in the browser's language and fits a phone: ${language}`, async ({
+for (const [language, viewport] of [
+  ["de", PHONE],
+  ["zh", PHONE],
+  ["de", WIDE],
+  ["zh", WIDE],
+] as const) {
+  const size = `${viewport.width}×${viewport.height}`;
+  test(`every panel is in the browser's language and fits ${size}: ${language}`, async ({
     open,
   }) => {
-    const page = await open({ viewport: PHONE, locale: LOCALES[language], firstSteps: true });
+    const page = await open({ viewport, locale: LOCALES[language], firstSteps: true });
     const english = foreign(language);
     const check = async (place: string): Promise<void> => {
-      const { texts, tooWide, overflow } = await visible(page);
+      const { texts, ...rest } = await visible(page);
       const found = texts.filter((text) => text && english.includes(text));
-      expect({ found, tooWide, overflow }, place).toEqual({ found: [], tooWide: [], overflow: 0 });
+      expect({ found, ...rest }, place).toEqual({
+        found: [],
+        tooWide: [],
+        cut: [],
+        aside: [],
+        overflow: 0,
+      });
     };
     const text = (key: keyof typeof CATALOGUES.en) => CATALOGUES[language][key] as string;
     const press = (key: keyof typeof CATALOGUES.en) =>

@@ -140,3 +140,45 @@ test("neither a short tap nor a mouse has a loupe", async ({ open }) => {
   await page.mouse.up();
   expect(await seen()).toEqual([]);
 });
+
+test("the button that shoots is in the dock, however long the text above it", async ({ open }) => {
+  // Seen: the rule for the dock of a game held without one, and cut the button in a drill and the first steps.
+  const button = async (page: Page) => {
+    const dock = (await page.locator(".dock").boundingBox())!;
+    const box = (await page.locator("#shoot-button").boundingBox())!;
+    return dock.y + dock.height - box.y - box.height;
+  };
+  const page = await open({ viewport: PHONE });
+  await page.getByRole("radio", { name: "Train" }).click();
+  await page.locator("#drill-stop").click();
+  await page.getByRole("button", { name: "Play here" }).click();
+  await page.locator("#outcome", { hasText: "Attempt 1 of 10" }).waitFor();
+  expect(await button(page), "drill").toBeGreaterThan(0);
+  const other = await open({ viewport: PHONE, locale: "de-DE", firstSteps: true });
+  await other.evaluate(() => window.carom!.store.aimAtPocket("9", "top-right", "aim"));
+  await settled(other);
+  expect(await button(other), "first steps").toBeGreaterThan(0);
+});
+
+test("a finger drags a ball from the tray onto the table", async ({ open }) => {
+  // Seen: the panel scrolled instead.
+  const page = await open({ viewport: PHONE, hasTouch: true, isMobile: true });
+  await showTab(page, "layout");
+  const chip = (await page.getByRole("button", { name: "Put ball 5 on the table" }).boundingBox())!;
+  const from = { x: chip.x + chip.width / 2, y: chip.y + chip.height / 2 };
+  const to = await onPage(page, 0.635, 2);
+  const session = await page.context().newCDPSession(page);
+  const touch = async (type: "touchStart" | "touchMove" | "touchEnd", share: number) => {
+    const x = from.x + share * (to.x - from.x);
+    const y = from.y + share * (to.y - from.y);
+    const touchPoints = type === "touchEnd" ? [] : [{ x, y }];
+    await session.send("Input.dispatchTouchEvent", { type, touchPoints });
+    await settled(page);
+  };
+  await touch("touchStart", 0);
+  for (let k = 1; k <= 8; k += 1) await touch("touchMove", k / 8);
+  await touch("touchEnd", 1);
+  await session.detach();
+  const [x, y] = (await shotOf(page)).balls.find(({ id }) => id === "5")!.position;
+  expect(Math.hypot(x - 0.635, y - 2)).toBeLessThan(0.01);
+});

@@ -165,6 +165,38 @@ test("the keyboard marks the table, places a ball and moves it", async ({ open }
   await dialog.getByRole("img", { name: "The layout so far. Number of balls: 0" }).waitFor();
 });
 
+for (const locale of ["en-GB", "de-DE"]) {
+  test(`the buttons of the photo dialog are in view in a low window (${locale})`, async ({
+    open,
+  }) => {
+    // Seen: the button that uses the layout was below the edge of the dialog.
+    const page = await open({ viewport: { width: 844, height: 390 }, locale });
+    await page.locator("#tab-layout").click();
+    await page
+      .locator("#panel-layout")
+      .getByText(/photo|Foto/)
+      .click();
+    const dialog = page.locator(".photo-dialog");
+    await choosePhoto(dialog);
+    await dialog.locator(".photo-actions").waitFor();
+    for (const [x, y] of await places(
+      dialog,
+      marks.places.map((place) => project(camera, place)!),
+    ))
+      await page.mouse.click(x, y);
+    await dialog.locator(".photo-tray").waitFor();
+    const box = (await dialog.boundingBox())!;
+    const actions = (await dialog.locator(".photo-actions").boundingBox())!;
+    expect(actions.y + actions.height).toBeLessThanOrEqual(box.y + box.height);
+    const tray = (await dialog.locator(".photo-tray").boundingBox())!;
+    expect(tray.y + tray.height).toBeLessThanOrEqual(actions.y);
+    // Seen: the row was scrolled by the distance of the tray from the dialog.
+    const chosen = (await dialog.locator(".photo-tray [aria-checked=true]").boundingBox())!;
+    expect(chosen.x).toBeGreaterThanOrEqual(tray.x);
+    expect(chosen.x + chosen.width).toBeLessThanOrEqual(tray.x + tray.width);
+  });
+}
+
 for (const colorScheme of ["light", "dark"] as const) {
   test(`axe finds no violation in the photo dialog in ${colorScheme}`, async ({ open }) => {
     const page = await open({ viewport: PHONE, colorScheme });

@@ -238,6 +238,10 @@ test("a bad file is refused with the engine's reason, and nothing changes", asyn
     ["no JSON at all", /cannot be opened/],
     ['{"format": "carom-shot/1", "table": "wpa-9ft"}', /balls/],
     [JSON.stringify(overlapping), /overlaps/],
+    ["null", /neither a shot nor a trace/],
+    ["[]", /neither a shot nor a trace/],
+    ['{"format": "other/1"}', /neither a shot nor a trace/],
+    ['{"format": "carom-frame/9"}', /another version of carom/],
   ] as const) {
     await drop(page, "bad.json", content);
     await expect.poll(() => page.getByRole("alert").textContent()).toMatch(words);

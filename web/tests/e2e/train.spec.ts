@@ -312,6 +312,19 @@ test("damaged progress in the browser is set aside and can be saved", async ({ o
   await clear(page);
 });
 
+test("a damaged drill in progress is reported, and the page works", async ({ open }) => {
+  // Seen: an exception while the page was mounted.
+  const page = await open();
+  await page.evaluate(() => {
+    addEventListener("pagehide", () => sessionStorage.setItem("carom-drill", "{damaged"));
+  });
+  await page.reload();
+  await page.getByText("The drill that was under way could not be read").waitFor();
+  await train(page);
+  await begin(page, "stop");
+  expect((await attempt(page))!.text).toContain("Attempt 1 of 10");
+});
+
 /** A drawing's unit: points of 1/72 inch. */
 const PAPERS = { a4: [595, 842], letter: [612, 792] } as const;
 

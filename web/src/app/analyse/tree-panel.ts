@@ -4,8 +4,9 @@ import { CaromError, type Engine, type Outcome } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText, svg, uniqueId } from "../common/dom.ts";
 import { errorText } from "../common/refusals.ts";
+import { inSlicesUnlessReplaced } from "../common/slices.ts";
 import { ballName, pocketName } from "../common/words.ts";
-import { treeEngine } from "../document/after.ts";
+import { outcomeOf, treeEngine } from "../document/after.ts";
 import type { AimedShot } from "../document/document.ts";
 import type { Store } from "../document/store.ts";
 import {
@@ -19,7 +20,7 @@ import {
   withComment,
   without,
 } from "../document/tree.ts";
-import { treeFromText, treeToText } from "../document/tree-text.ts";
+import { treeReading, treeToText } from "../document/tree-text.ts";
 import { isPlayed } from "../game/variations.ts";
 import { replay } from "../replay/control.ts";
 import { Desk } from "./desk/client.ts";
@@ -35,26 +36,6 @@ const COUNT = 300;
 const WIDTH = 280;
 const HEIGHT = 70;
 const EDGE = 8;
-
-/** Outcomes of shots: exact simulations, made once. */
-const outcomes = new WeakMap<AimedShot, Outcome | null>();
-
-function outcomeOf(engine: Engine, file: AimedShot): Outcome | null {
-  let outcome = outcomes.get(file);
-  if (outcome !== undefined) return outcome;
-  try {
-    const shot = engine.shot(file);
-    const trace = shot.simulate();
-    ({ outcome } = trace);
-    trace.free();
-    shot.free();
-  } catch (error) {
-    if (!(error instanceof CaromError)) throw error;
-    outcome = null;
-  }
-  outcomes.set(file, outcome);
-  return outcome;
-}
 
 /** The first object ball that a shot pots, and its pocket. */
 function potIn(outcome: Outcome | null, { strike }: AimedShot) {
@@ -73,8 +54,9 @@ function resultText(engine: Engine, { shot }: TreeNode): string {
 }
 
 /** Shows a tree, a text that a file or a user gives. @throws CaromError if it cannot be read. */
-export function openTree(store: Store, engine: Engine, text: string): boolean {
-  const tree = treeFromText(text, treeEngine(engine));
+export async function openTree(store: Store, engine: Engine, text: string): Promise<boolean> {
+  const tree = await inSlicesUnlessReplaced(treeReading(text, treeEngine(engine)));
+  if (!tree) return false;
   const node = nodeOf(tree, tree.at);
   return store.apply({ tree, game: null, ...(node && { shot: node.shot }) }, t("change.open-tree"));
 }
@@ -144,7 +126,7 @@ export function mountTree(
     h(
       "div",
       { class: "row" },
-      button("tree-open", t("tree.open"), open),
+      button("tree-open", t("tree.open"), () => void open()),
       button("tree-copy", t("tree.copy"), () => void copy()),
       button("tree-download", t("tree.download"), () =>
         share.download(treeToText(treeNow()), "tree.txt"),
@@ -180,9 +162,9 @@ export function mountTree(
       store.apply({ tree: withComment(treeNow(), at, comment.value) }, t("change.comment"));
   });
 
-  function open(): void {
+  async function open(): Promise<void> {
     try {
-      if (openTree(store, engine, text.value)) context.announce(t("tree.opened"));
+      if (await openTree(store, engine, text.value)) context.announce(t("tree.opened"));
     } catch (error) {
       if (!(error instanceof CaromError)) throw error;
       store.refuse(errorText(error));

@@ -4,6 +4,7 @@ import {
   CaromError,
   type BallEntry,
   type Engine,
+  type Outcome,
   type ShotFile,
   type Trace,
 } from "../../engine/index.ts";
@@ -25,29 +26,44 @@ export function ballsAfter(trace: Trace, file: Pick<ShotFile, "balls">): readonl
   });
 }
 
-/** Ends of shots; a tree asks for the same ones again and again. */
-const ends = new WeakMap<AimedShot, readonly BallEntry[] | null>();
+/** What a shot does. */
+interface Result {
+  readonly outcome: Outcome;
+  /** The balls at the end; null if none is left. */
+  readonly end: readonly BallEntry[] | null;
+}
+
+/** Results of shots, null for those that cannot be simulated; a tree asks for them again and again. */
+const results = new WeakMap<AimedShot, Result | null>();
 
 /** What the engine does for trees. */
 export function treeEngine(engine: Engine): TreeEngine {
   return {
     check: (shot) => engine.shot(shot).free(),
-    endOf: (shot) => {
-      let end = ends.get(shot);
-      if (end === undefined) ends.set(shot, (end = endOf(engine, shot)));
-      return end;
-    },
+    endOf: (shot) => resultOf(engine, shot)?.end ?? null,
   };
 }
 
-function endOf(engine: Engine, file: AimedShot): readonly BallEntry[] | null {
+/** The outcome of a shot; null if it cannot be simulated. */
+export function outcomeOf(engine: Engine, shot: AimedShot): Outcome | null {
+  return resultOf(engine, shot)?.outcome ?? null;
+}
+
+function resultOf(engine: Engine, shot: AimedShot): Result | null {
+  let result = results.get(shot);
+  if (result === undefined) results.set(shot, (result = simulated(engine, shot)));
+  return result;
+}
+
+function simulated(engine: Engine, file: AimedShot): Result | null {
   try {
     const shot = engine.shot(file);
     const trace = shot.simulate();
+    const { outcome } = trace;
     const balls = ballsAfter(trace, file);
     trace.free();
     shot.free();
-    return balls.length > 0 ? balls : null;
+    return { outcome, end: balls.length > 0 ? balls : null };
   } catch (error) {
     if (error instanceof CaromError) return null;
     throw error;

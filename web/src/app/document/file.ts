@@ -2,7 +2,7 @@
 
 import { CaromError, type BallEntry, type Engine, type Noise } from "../../engine/index.ts";
 import type { ShotFile, StrikeEntry, Trace } from "../../engine/index.ts";
-import { errorText } from "../common/refusals.ts";
+import { errorText, PageError } from "../common/refusals.ts";
 import type { AimedShot, Document } from "./document.ts";
 import { t } from "../words/translate.ts";
 
@@ -34,7 +34,7 @@ export interface FileContents {
  * @throws CaromError if the engine refuses it, SyntaxError if it is not JSON.
  */
 export function readFile(engine: Engine, json: string): FileContents {
-  const format = (JSON.parse(json) as { format?: unknown } | null)?.format;
+  const format = formatOf(json);
   if (format === "carom-trace/1") {
     const trace = engine.trace(json);
     return { shot: startOf(trace.shot.file), trace };
@@ -45,6 +45,22 @@ export function readFile(engine: Engine, json: string): FileContents {
   if (!moving || file.strike) return { shot: aimed(file), trace: null };
   // A cue cannot strike balls that already move: show the replay, and aim where the balls started.
   return { shot: startOf(file), trace: shot.simulate() };
+}
+
+/**
+ * The format that a file names; undefined if it names none.
+ *
+ * @throws PageError for another format or no object, SyntaxError if it is not JSON.
+ */
+function formatOf(json: string): string | undefined {
+  const file = JSON.parse(json) as { readonly format?: unknown } | null;
+  const isObject = typeof file === "object" && file !== null && !Array.isArray(file);
+  if (!isObject) throw new PageError(t("error.not-json"), "");
+  const { format } = file;
+  if (format === undefined || format === "carom-shot/1" || format === "carom-trace/1")
+    return format;
+  const isOurs = typeof format === "string" && /^carom-(shot|trace|frame)\//.test(format);
+  throw new PageError(t(isOurs ? "error.other-version" : "error.not-json"), "format");
 }
 
 /** Why a file cannot be opened, as a sentence. */

@@ -13,6 +13,7 @@
 
 import type { BallEntry, Engine, ShotFile, StrikeEntry } from "../../engine/index.ts";
 import { PageError } from "../common/refusals.ts";
+import { atOnce, type Slices } from "../common/slices.ts";
 import { t } from "../words/translate.ts";
 import type { AimedShot } from "./aimed-shot.ts";
 import { STRIKE_NUMBERS } from "./strike-angles.ts";
@@ -91,6 +92,11 @@ export interface TreeEngine {
  * @throws PageError that names the line, and CaromError for a shot that the engine refuses.
  */
 export function treeFromText(text: string, engine: TreeEngine): Tree {
+  return atOnce(treeReading(text, engine));
+}
+
+/** As `treeFromText`; a slice reads one shot. */
+export function treeReading(text: string, engine: TreeEngine): Slices<Tree> {
   return new Reader(text, engine).read();
 }
 
@@ -125,7 +131,7 @@ class Reader {
     this.#engine = engine;
   }
 
-  read(): Tree {
+  *read(): Slices<Tree> {
     const first = this.#take();
     if (first?.kind !== "tag" || first.text !== `Carom "${FORMAT}"`) {
       throw new PageError(t("tree.no-tree", { format: `[Carom "${FORMAT}"]` }), "");
@@ -135,13 +141,13 @@ class Reader {
       if (tag.kind !== "tag") throw wrong(tag);
       const layout = /^Layout (.*)$/.exec(tag.text)?.[1];
       // Other tags are for people: a title, a date.
-      if (layout !== undefined) this.#line(null, layoutOf(layout, tag));
+      if (layout !== undefined) yield* this.#line(null, layoutOf(layout, tag));
     }
     return { nodes: this.#nodes, at: this.#at ?? this.#nodes.at(-1)?.id ?? null };
   }
 
   /** Reads shots and their variations from one layout on, up to the end of the line. */
-  #line(parent: number | null, layout: Omit<ShotFile, "strike"> | null): void {
+  *#line(parent: number | null, layout: Omit<ShotFile, "strike"> | null): Slices<void> {
     let [before, from] = [parent, layout];
     while (this.#peek()?.kind === "number") {
       const start = this.#take()!;
@@ -149,11 +155,12 @@ class Reader {
       const node = this.#shot(before, from, start);
       while (this.#peek()?.kind === "open") {
         this.#take();
-        this.#line(before, from);
+        yield* this.#line(before, from);
         const end = this.#take();
         if (end?.kind !== "close") throw wrong(end ?? start);
       }
       before = node.id;
+      yield;
       const balls = this.#engine.endOf(node.shot);
       from = balls && { ...from, balls };
     }

@@ -15,6 +15,7 @@ import {
   type Trace,
 } from "../../engine/index.ts";
 import { errorText, PageError } from "../common/refusals.ts";
+import { atOnce, type Slices } from "../common/slices.ts";
 import type { Game, Move, Setup } from "../document/game.ts";
 import { t } from "../words/translate.ts";
 
@@ -22,6 +23,8 @@ import { t } from "../words/translate.ts";
 export interface PlayedMove {
   readonly move: Move;
   readonly player: Seat;
+  /** The frame before the move. Shared: copy it before playing on it. */
+  readonly from: Frame;
   readonly before: FrameState;
   readonly after: FrameState;
   readonly ruling: Ruling;
@@ -51,20 +54,23 @@ const known = new WeakMap<Game["moves"], Progress>();
  * @throws CaromError if its set-up is invalid, or a move is not allowed.
  */
 export function progressOf(engine: Engine, game: Game): Progress {
-  let progress = known.get(game.moves);
-  if (!progress) {
-    progress = replayed(engine, game);
-    known.set(game.moves, progress);
-  }
-  return progress;
+  return known.get(game.moves) ?? atOnce(replayed(engine, game));
 }
 
-function replayed(engine: Engine, { setup, moves }: Game): Progress {
+/**
+ * Replays the moves of `game`, so that `progressOf` has its progress: a long game takes longer than a
+ * picture.
+ *
+ * @throws CaromError as `progressOf`.
+ */
+export function* replayed(engine: Engine, game: Game): Slices<Progress> {
+  const { setup, moves } = game;
   const frame = begun(engine, setup);
   let progress: Progress = { frame, start: startOf(engine, setup, frame), steps: [], trace: null };
-  moves.forEach((move, index) => {
+  for (const [index, move] of moves.entries()) {
+    yield;
     const before = progress;
-    if (isApplied(move, moves[index - 1], before.frame.state)) return;
+    if (isApplied(move, moves[index - 1], before.frame.state)) continue;
     try {
       progress = after(before, move);
     } catch (error) {
@@ -72,9 +78,9 @@ function replayed(engine: Engine, { setup, moves }: Game): Progress {
       const why = errorText(error);
       throw new PageError(t("link.move", { number: index + 1, why }), error.place);
     }
-    before.frame.free();
     if (before.trace !== progress.trace) before.trace?.free();
-  });
+  }
+  remember(game, progress);
   return progress;
 }
 
@@ -132,19 +138,20 @@ function fileOf(frame: Frame): ShotFile {
  *
  * @throws CaromError if the move is not allowed.
  */
-export function after({ frame, start, steps, trace }: Progress, move: Move): Progress {
-  const { state: before } = frame;
+export function after({ frame: from, start, steps, trace }: Progress, move: Move): Progress {
+  const { state: before } = from;
   if (before.request.kind === "over") throw new PageError(t("refused.over"), "play");
   const { player } = before.request;
-  const next = frame.copy();
+  const next = from.copy();
   try {
     if (!("play" in move)) {
       const ruling = "choice" in move ? next.choose(move.choice) : next.concede();
-      const step = { move, player, before, after: next.state, ruling, potted: [] };
+      const step = { move, player, from, before, after: next.state, ruling, potted: [] };
       return { frame: next, start, steps: [...steps, step], trace };
     }
     const { ruling, trace: shown } = next.play(move.play);
-    const step = { move, player, before, after: next.state, ruling, potted: pottedIn(shown) };
+    const potted = pottedIn(shown);
+    const step = { move, player, from, before, after: next.state, ruling, potted };
     return { frame: next, start, steps: [...steps, step], trace: shown };
   } catch (error) {
     next.free();

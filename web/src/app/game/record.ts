@@ -1,13 +1,15 @@
 /** Games of the page as records of frames, `carom-frame/1`, and back. */
 
-import { CaromError, type Engine, type FrameRecord } from "../../engine/index.ts";
+import { CaromError, type Engine, type Frame, type FrameRecord } from "../../engine/index.ts";
+import { replaySteps } from "../../engine/frame-record.ts";
 import { errorText, PageError } from "../common/refusals.ts";
+import type { Slices } from "../common/slices.ts";
 import { treeEngine } from "../document/after.ts";
 import type { Document } from "../document/document.ts";
-import { treeFromText } from "../document/tree-text.ts";
+import { treeReading } from "../document/tree-text.ts";
 import type { Game, Variations } from "../document/game.ts";
 import { firstAim } from "./aim.ts";
-import { progressOf } from "./progress.ts";
+import { progressOf, replayed } from "./progress.ts";
 import { t } from "../words/translate.ts";
 
 /**
@@ -33,28 +35,48 @@ export function plainRecordOf(engine: Engine, game: Game): FrameRecord {
  *
  * @throws CaromError that names the move, if they cannot be read.
  */
-function variationsOf(
+function* variationsOf(
   engine: Engine,
   record: FrameRecord,
   moves: FrameRecord["moves"],
-): Variations {
+): Slices<Variations> {
   // A frame leaves out choices that it applies itself, but no play.
   const plays = moves.flatMap((move, index) => ("play" in move ? [index] : []));
   const found = record.moves.flatMap((move, index) => ("play" in move ? [{ move, index }] : []));
-  const entries = found.flatMap(({ move, index }, k): [number, string][] => {
+  const entries: [number, string][] = [];
+  for (const [k, { move, index }] of found.entries()) {
     const text: unknown = move.variations;
-    if (text === undefined) return [];
+    if (text === undefined) continue;
     try {
       if (typeof text !== "string") throw new PageError(t("tree.no-text"), "");
-      treeFromText(text, treeEngine(engine));
+      yield* treeReading(text, treeEngine(engine));
+      entries.push([plays[k]!, text]);
     } catch (error) {
       if (!(error instanceof CaromError)) throw error;
       const place = `moves[${index}].variations`;
       throw new PageError(t("study.refused", { number: index + 1, why: errorText(error) }), place);
     }
-    return [[plays[k]!, text]];
-  });
+  }
   return Object.fromEntries(entries);
+}
+
+/** The frame of a record. @throws PageError that names the move, if it is damaged or not allowed. */
+function* frameOf(engine: Engine, record: FrameRecord): Slices<Frame> {
+  const { setup, moves } = record as { readonly setup?: unknown; readonly moves?: unknown };
+  if (typeof setup !== "object" || setup === null || !Array.isArray(moves)) {
+    throw new PageError(t("error.game"), "record");
+  }
+  try {
+    return yield* replaySteps(engine, record);
+  } catch (error) {
+    if (!(error instanceof CaromError)) throw error;
+    const index = /^moves\[(\d+)\]$/.exec(error.place)?.[1];
+    if (index === undefined) throw error;
+    // The engine's message begins with the place, which is a number of the file.
+    const message = error.message.slice(`${error.place}: `.length);
+    const why = errorText(new CaromError(message, error.place, error.shot));
+    throw new PageError(t("link.move", { number: Number(index) + 1, why }), error.place);
+  }
 }
 
 /**
@@ -62,12 +84,15 @@ function variationsOf(
  *
  * @throws CaromError that names the move, if the record is none or a move is not allowed.
  */
-export function gameOfRecord(engine: Engine, record: FrameRecord): Pick<Document, "game" | "shot"> {
-  const frame = engine.replay(record);
+export function* gameOfRecord(
+  engine: Engine,
+  record: FrameRecord,
+): Slices<Pick<Document, "game" | "shot">> {
+  const frame = yield* frameOf(engine, record);
   // Written again, so that records of other programs have the form of this page.
   const { setup, moves } = frame.record;
   frame.free();
-  const variations = variationsOf(engine, record, moves);
+  const variations = yield* variationsOf(engine, record, moves);
   const { game: rules, ...rest } = setup;
   const { shot: from = null, ...options } = "shot" in rest ? rest : { ...rest, shot: undefined };
   const names = [t("setup.player", { number: 1 }), t("setup.player", { number: 2 })] as const;
@@ -77,5 +102,5 @@ export function gameOfRecord(engine: Engine, record: FrameRecord): Pick<Document
     call: null,
     ...(Object.keys(variations).length > 0 && { variations }),
   };
-  return { game, shot: firstAim(engine, game, progressOf(engine, game)) };
+  return { game, shot: firstAim(engine, game, yield* replayed(engine, game)) };
 }

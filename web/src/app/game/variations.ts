@@ -86,17 +86,13 @@ const known = new WeakMap<object, AimedShot>();
 
 /** The shot of a move as it was played, from the position before it. Presets have dated names. */
 function playedShot(engine: Engine, game: Game, index: number): AimedShot {
-  const { frame, steps } = progressOf(engine, game);
-  const step = steps[index];
+  const step = progressOf(engine, game).steps[index];
   if (!step || !("play" in step.move)) throw new PageError(t("study.no-shot"), "moves");
   let found = known.get(step);
   if (!found) {
-    const { record } = frame;
-    const before = engine.replay({ ...record, moves: record.moves.slice(0, index) });
-    const shot = before.shot(step.move.play);
+    const shot = step.from.shot(step.move.play);
     known.set(step, (found = aimed(engine.withDatedNames(shot.source))));
     shot.free();
-    before.free();
   }
   return found;
 }

@@ -1,7 +1,6 @@
 /** The help dialog: what the page can do, and all keys. */
 
 import licenses from "../../../../LICENSE-THIRD-PARTY?raw";
-import type { Context } from "../common/context.ts";
 import { h } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { KEYS } from "../input/keys.ts";
@@ -14,7 +13,6 @@ const TOPICS = ["pot", "aim", "strike", "ahead", "shoot", "move", "game", "else"
 export function mountHelp(
   dialog: HTMLDialogElement,
   store: Store,
-  context: Context,
   showSteps: () => void,
 ): () => void {
   const close = () => {
@@ -28,7 +26,7 @@ export function mountHelp(
       title,
       h("button", { type: "button", class: "button", onclick: close }, t("help.close")),
     ),
-    languageChoice(store, context, close),
+    languageChoice(store, close),
     h(
       "dl",
       { class: "ways" },

@@ -58,6 +58,8 @@ function ball(id: string, index: number, store: Store, context: Context): HTMLBu
     swatch(id, index),
     id,
   );
+  // The browser looks at it when a finger touches the chip: later it would scroll the panel.
+  chip.style.touchAction = "none";
   const click = (): void => {
     addBall(store, context.engine, id);
   };
@@ -110,7 +112,6 @@ function follow(chip: HTMLElement, press: PointerEvent, held: Held): void {
   };
   const { signal } = end;
   // The chip does not capture the pointer: it leaves the page.
-  chip.style.touchAction = "none";
   window.addEventListener(
     "pointermove",
     (event) => {

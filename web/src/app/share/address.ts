@@ -3,14 +3,16 @@
 import { CaromError, type Engine, type Shot } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { PageError } from "../common/refusals.ts";
+import { inSlicesUnlessReplaced, type Slices } from "../common/slices.ts";
 import type { Document, View } from "../document/document.ts";
 import { aimed } from "../document/file.ts";
 import { treeEngine } from "../document/after.ts";
 import type { Tree } from "../document/tree.ts";
-import { datedTree, treeFromText } from "../document/tree-text.ts";
+import { datedTree, treeReading } from "../document/tree-text.ts";
 import type { Game, Setup } from "../document/game.ts";
 import type { State, Store } from "../document/store.ts";
 import { isLevel } from "../game/machine/levels.ts";
+import { replayed } from "../game/progress.ts";
 import { standing } from "../game/turn.ts";
 import { referee } from "../game/referee.ts";
 import { replay } from "../replay/control.ts";
@@ -37,19 +39,19 @@ export interface LinkContents {
  *
  * @throws {LinkError} The link is damaged, of another version, or refused by the engine.
  */
-export function readAddress(engine: Engine): LinkContents | null {
+export function readAddress(engine: Engine): Slices<LinkContents | null> {
   return readLink(engine, location.hash);
 }
 
 /**
- * The contents of the link in a fragment; null if it is not a link.
+ * The contents of the link in a fragment; null if it is not a link. A slice has one shot of a game or tree.
  *
  * @throws {LinkError} The link is damaged, of another version, or refused by the engine.
  */
-export function readLink(engine: Engine, fragment: string): LinkContents | null {
+export function* readLink(engine: Engine, fragment: string): Slices<LinkContents | null> {
   try {
     const state = stateFromFragment(fragment);
-    return state && checked(engine, state);
+    return state && (yield* checked(engine, state));
   } catch (error) {
     if (!(error instanceof CaromError)) throw error;
     throw new LinkError(t("link.refused", { why: error.message }), { cause: error });
@@ -57,30 +59,35 @@ export function readLink(engine: Engine, fragment: string): LinkContents | null 
 }
 
 /** @throws CaromError if the engine or the referee refuses a part of the state. */
-function checked(engine: Engine, state: LinkState): LinkContents {
+function* checked(engine: Engine, state: LinkState): Slices<LinkContents> {
   const { shot, noise, seed, game, view, time } = state;
   engine.shot(shot).free();
   if (noise) engine.checkNoise(noise);
-  const treeOf = (text: string | null) =>
-    text === null ? undefined : treeFromText(text, treeEngine(engine));
+  function* treeOf(text: string | null): Slices<Tree | undefined> {
+    return text === null ? undefined : yield* treeReading(text, treeEngine(engine));
+  }
   const document = {
     shot: aimed(shot),
     noise,
     seed,
     game: game && checkedGame(engine, game),
-    tree: treeOf(state.tree),
+    tree: yield* treeOf(state.tree),
     study: state.study
       ? {
           ...state.study,
           game: checkedGame(engine, state.study.game),
           shot: aimed(state.study.shot),
-          tree: treeOf(state.study.tree),
+          tree: yield* treeOf(state.study.tree),
         }
       : undefined,
   };
-  referee(engine).shot(document.shot, game).free();
   const { study } = document;
-  if (study) referee(engine).shot(study.shot, study.game).free();
+  if (game) yield* replayed(engine, game);
+  referee(engine).shot(document.shot, game).free();
+  if (study) {
+    yield* replayed(engine, study.game);
+    referee(engine).shot(study.shot, study.game).free();
+  }
   return { document, view, time };
 }
 
@@ -169,22 +176,23 @@ export function mountAddress(store: Store, context: Context): void {
   addEventListener("hashchange", () => {
     clearTimeout(resting);
     resting = undefined;
-    try {
-      const contents = readAddress(context.engine);
-      if (contents) openLink(store, context, contents);
-    } catch (error) {
-      if (!(error instanceof LinkError)) throw error;
-      store.refuse(error.message);
-    }
+    void openText(store, context, location.hash);
   });
 }
 
+/** Opens the text of a link. A damaged one changes nothing. */
+export async function openText(store: Store, context: Context, link: string): Promise<void> {
+  try {
+    const contents = await inSlicesUnlessReplaced(readLink(context.engine, link));
+    if (contents) openLink(store, context, contents);
+  } catch (error) {
+    if (!(error instanceof LinkError)) throw error;
+    store.refuse(error.message);
+  }
+}
+
 /** Opens a link in the page as it stands, so that undo returns to the previous document. */
-export function openLink(
-  store: Store,
-  context: Context,
-  { document, view, time }: LinkContents,
-): void {
+function openLink(store: Store, context: Context, { document, view, time }: LinkContents): void {
   if (!store.apply(document, t("change.open-link"))) return;
   store.setView(view);
   showTime(store, context.engine, time);

@@ -9,8 +9,8 @@ import { gameOfRecord } from "../game/record.ts";
 import { cannotOpen, readFile } from "../document/file.ts";
 import type { Store } from "../document/store.ts";
 import { replay } from "../replay/control.ts";
-import { openLink, readLink } from "./address.ts";
-import { LinkError } from "./link.ts";
+import { inSlicesUnlessReplaced } from "../common/slices.ts";
+import { openText } from "./address.ts";
 import { decimal, t } from "../words/translate.ts";
 
 /** The largest file that is read, bytes: ten times the longest trace of a break. */
@@ -33,32 +33,25 @@ export async function openFile(file: File, store: Store, context: Context): Prom
   }
   const link = /^\s*\S*(#s=\S+)\s*$/.exec(text)?.[1];
   if (link !== undefined) {
-    openText(store, context, link);
+    await openText(store, context, link);
     return;
   }
-  if (open(store, context.engine, text)) context.announce(t("open.opened", { file: file.name }));
-}
-
-/** Opens the text of a link. A damaged one changes nothing. */
-function openText(store: Store, context: Context, link: string): void {
-  try {
-    const contents = readLink(context.engine, link);
-    if (contents) openLink(store, context, contents);
-  } catch (error) {
-    if (!(error instanceof LinkError)) throw error;
-    store.refuse(error.message);
-  }
+  if (await open(store, context.engine, text))
+    context.announce(t("open.opened", { file: file.name }));
 }
 
 /**
  * Opens a shot file or a trace, the record of a game, or the shots of an analysis. A refused file leaves
  * everything as it is.
  */
-function open(store: Store, engine: Engine, text: string): boolean {
+async function open(store: Store, engine: Engine, text: string): Promise<boolean> {
   try {
-    if (isTreeText(text)) return openTree(store, engine, text);
+    if (isTreeText(text)) return await openTree(store, engine, text);
     const record = recordIn(text);
-    if (record) return store.apply(gameOfRecord(engine, record), t("change.open-record"));
+    if (record) {
+      const game = await inSlicesUnlessReplaced(gameOfRecord(engine, record));
+      return game !== null && store.apply(game, t("change.open-record"));
+    }
     const { shot, trace } = readFile(engine, text);
     const opened = store.apply(
       { shot, game: null },

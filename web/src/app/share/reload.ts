@@ -5,9 +5,10 @@
 
 import type { Engine } from "../../engine/index.ts";
 import type { Store } from "../document/store.ts";
+import type { Slices } from "../common/slices.ts";
 import { type LinkContents, readLink } from "./address.ts";
 import { LinkError } from "./link.ts";
-import { stateToFragment } from "./state.ts";
+import { stateFromFragment, stateToFragment } from "./state.ts";
 
 /** Name of the link in the storage of the tab. */
 const KEPT = "carom-reload";
@@ -18,18 +19,18 @@ const KEPT = "carom-reload";
  * @throws {LinkError} They could not be opened again, because the game is too long.
  * @throws {DOMException} The browser stores nothing for this page.
  */
-export function keepForReload(store: Store, engine: Engine): void {
+export function keepForReload(store: Store): void {
   // The document's own shot: that of a link has the elevation that the automatic one gives.
   const kept = stateToFragment(store.document.shot, store.state);
-  readLink(engine, kept);
+  stateFromFragment(kept);
   sessionStorage.setItem(KEPT, kept);
 }
 
 /** Keeps the last changes when the page is loaded again: the address may not have them yet. */
-export function mountReload(store: Store, engine: Engine): void {
+export function mountReload(store: Store): void {
   addEventListener("pagehide", () => {
     try {
-      keepForReload(store, engine);
+      keepForReload(store);
     } catch (error) {
       // Too long a game, or no storage: the address has what it can.
       if (!(error instanceof LinkError || error instanceof DOMException)) throw error;
@@ -48,7 +49,7 @@ export function isReload(): boolean {
  *
  * @throws {LinkError} It cannot be opened.
  */
-export function takeKept(engine: Engine): LinkContents | null {
+export function* takeKept(engine: Engine): Slices<LinkContents | null> {
   let kept: string | null = null;
   try {
     kept = sessionStorage.getItem(KEPT);
@@ -56,5 +57,5 @@ export function takeKept(engine: Engine): LinkContents | null {
   } catch {
     // Some frames and browsers have no storage.
   }
-  return kept === null || !isReload() ? null : readLink(engine, kept);
+  return kept === null || !isReload() ? null : yield* readLink(engine, kept);
 }

@@ -1,6 +1,5 @@
 /** The language of the page: the browser's, unless the user chose one. */
 
-import type { Context } from "../common/context.ts";
 import { h } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { LinkError } from "../share/link.ts";
@@ -33,7 +32,7 @@ export function preferred(wanted: readonly string[]): Language {
  *
  * @param close Uncovers the message that the language cannot be changed.
  */
-export function languageChoice(store: Store, { engine }: Context, close: () => void): HTMLElement {
+export function languageChoice(store: Store, close: () => void): HTMLElement {
   const names = Object.entries(LANGUAGES).map(([value, { name, tag }]) =>
     h("option", { value, lang: tag }, name),
   );
@@ -43,7 +42,7 @@ export function languageChoice(store: Store, { engine }: Context, close: () => v
     const wanted = select.value;
     select.value = language();
     try {
-      keepForReload(store, engine);
+      keepForReload(store);
       localStorage.setItem(STORED, wanted);
     } catch (error) {
       close();

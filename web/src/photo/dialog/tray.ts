@@ -49,7 +49,10 @@ export class Tray {
     const current = this.root.querySelector<HTMLElement>('[tabindex="0"]');
     if (focused) current?.focus();
     // The page itself must not scroll.
-    if (current) this.root.scrollLeft = current.offsetLeft - this.root.clientWidth / 2;
+    if (current) {
+      const left = current.offsetLeft - this.root.offsetLeft;
+      this.root.scrollLeft = left - this.root.clientWidth / 2;
+    }
   }
 
   #onKey(event: KeyboardEvent): void {

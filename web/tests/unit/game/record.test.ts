@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import { CaromError, load } from "../../../src/engine/index.ts";
+import { CaromError, type FrameRecord, load } from "../../../src/engine/index.ts";
+import { atOnce } from "../../../src/app/common/slices.ts";
 import { gameOfRecord, recordOf } from "../../../src/app/game/record.ts";
 import { progressOf } from "../../../src/app/game/progress.ts";
 import { gameProgram } from "../../../src/app/share/python.ts";
@@ -16,7 +17,7 @@ function frame() {
 
 test("the record of a frame opens as a game with the same moves and the same end", () => {
   const own = frame();
-  const { game } = gameOfRecord(engine, own.record);
+  const { game } = atOnce(gameOfRecord(engine, own.record));
   expect(game!.moves).toEqual(own.record.moves);
   expect(progressOf(engine, game!).frame.state).toEqual(own.state);
   expect(recordOf(engine, game!)).toEqual(own.record);
@@ -29,15 +30,27 @@ test("a record from the balls of a shot opens, too", () => {
   ];
   const shot = engine.shot({ format: "carom-shot/1", table: "wpa-9ft", balls });
   const own = engine.frameOf("nine-ball", shot);
-  const { game } = gameOfRecord(engine, own.record);
+  const { game } = atOnce(gameOfRecord(engine, own.record));
   expect(recordOf(engine, game!)).toEqual(own.record);
 });
 
-test("a record whose move is not allowed is refused with the move's place", () => {
+test("a record whose move is not allowed is refused with the move's number", () => {
   const { record } = frame();
-  const open = () => gameOfRecord(engine, { ...record, moves: [{ choice: "rebreak" }] });
+  const open = () => atOnce(gameOfRecord(engine, { ...record, moves: [{ choice: "rebreak" }] }));
   expect(open).toThrow(CaromError);
-  expect(open).toThrow(/moves\[0\]/);
+  expect(open).toThrow(/^Move 1 of this game: /);
+});
+
+test.each([
+  [{ moves: null }, /^The game in this file is damaged/],
+  [{ setup: undefined }, /^The game in this file is damaged/],
+  [{ moves: [5] }, /^Move 1 of this game: /],
+  [{ moves: [{ play: {} }] }, /^Move 1 of this game: /],
+])("a damaged record is refused in words for players: %j", (change, words) => {
+  const { record } = frame();
+  expect(() =>
+    atOnce(gameOfRecord(engine, { ...record, ...change } as unknown as FrameRecord)),
+  ).toThrow(words);
 });
 
 test("the program of a game has its record", () => {

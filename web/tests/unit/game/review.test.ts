@@ -21,8 +21,8 @@ describe("the shots of a game", () => {
     const hashes = [shoot(store, 90, 8), shoot(store, 30, 3), shoot(store, 200, 4)];
     const progress = standing(store, engine)!;
     const { game } = store.document;
-    expect(hashes.map((_, index) => traceOf(engine, progress, index)!.hash)).toEqual(hashes);
-    expect(traceOf(engine, progress, 0)).toBe(traceOf(engine, progress, 0));
+    expect(hashes.map((_, index) => traceOf(progress, index)!.hash)).toEqual(hashes);
+    expect(traceOf(progress, 0)).toBe(traceOf(progress, 0));
     expect(store.document.game).toBe(game);
   });
 
@@ -35,7 +35,7 @@ describe("the shots of a game", () => {
     expect(neighbour(progress, 0, 1)).toBe(1);
     expect(neighbour(progress, 1, 1)).toBeNull();
     expect(neighbour(progress, 0, -1)).toBeNull();
-    store.setSession({ mode: "replay", trace: traceOf(engine, progress, 0) });
+    store.setSession({ mode: "replay", trace: traceOf(progress, 0) });
     expect(replayedMove(store, engine)).toBe(0);
     store.setSession({ trace: progress.trace });
     expect(replayedMove(store, engine)).toBe(1);

@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import type { FrameState, Request, Ruling, ShotRequest } from "../../../src/engine/index.ts";
+import type { Frame, FrameState, Request, Ruling, ShotRequest } from "../../../src/engine/index.ts";
 import type { PlayedMove } from "../../../src/app/game/progress.ts";
 import { gameName } from "../../../src/app/common/presets.ts";
 import {
@@ -88,6 +88,7 @@ describe("a ruling", () => {
   const step = (ruling: Partial<Ruling>, more: Partial<PlayedMove> = {}): PlayedMove => ({
     move: { play: { strike } },
     player: 0,
+    from: {} as Frame,
     before: state(SHOT),
     after: state(SHOT),
     ruling: { ...LEGAL, ...ruling },

@@ -2,6 +2,7 @@
 
 import { describe, expect, test } from "vitest";
 import { load, type Noise } from "../../../src/engine/index.ts";
+import { atOnce } from "../../../src/app/common/slices.ts";
 import { readLink } from "../../../src/app/share/address.ts";
 import { LinkError, toFragment } from "../../../src/app/share/link.ts";
 
@@ -25,7 +26,7 @@ const strike = { speed: 8, azimuth: 1.5, elevation: 0, side: 0, height: 0 };
 /** The message with which a link to `data` is refused. */
 function refusal(data: object): string {
   try {
-    readLink(engine, toFragment(data));
+    atOnce(readLink(engine, toFragment(data)));
   } catch (error) {
     // A TypeError here left the page empty.
     expect(error).toBeInstanceOf(LinkError);
@@ -56,7 +57,7 @@ describe("a link whose shot lacks balls or a strike", () => {
   });
 
   test("gets a strike if only that is missing", () => {
-    const contents = readLink(engine, toFragment({ shot }))!;
+    const contents = atOnce(readLink(engine, toFragment({ shot })))!;
     expect(contents.document.shot.strike.ball).toBe("cue");
   });
 });
@@ -73,7 +74,7 @@ describe("a link with a noise out of range", () => {
   });
 
   test("a noise of a level of play is accepted", () => {
-    const contents = readLink(engine, toFragment({ shot, noise }))!;
+    const contents = atOnce(readLink(engine, toFragment({ shot, noise })))!;
     expect(contents.document.noise).toEqual(noise);
   });
 });

@@ -91,9 +91,7 @@ export function mountCostliest(root: HTMLElement, store: Store, context: Context
 
   /** The position before a shot, aimed at the better play. */
   function positionOf({ index, best }: Cost): { file: ShotFile; said: string } {
-    const { record } = standing(store, engine)!.frame;
-    const frame = engine.replay({ ...record, moves: record.moves.slice(0, index) });
-    const shot = frame.shot(best);
+    const shot = standing(store, engine)!.steps[index]!.from.shot(best);
     const trace = shot.simulate();
     const { pocketed, cue_ball: cue, first_contact: first } = trace.outcome;
     const drop = pocketed.find(([ball]) => ball !== cue);
@@ -105,7 +103,6 @@ export function mountCostliest(root: HTMLElement, store: Store, context: Context
     const file = shot.source;
     trace.free();
     shot.free();
-    frame.free();
     return { file, said };
   }
 

@@ -15,17 +15,16 @@ export function isShot({ move }: PlayedMove): boolean {
 }
 
 /** The trace of a move; null if the move is not a shot. */
-export function traceOf(engine: Engine, progress: Progress, index: number): Trace | null {
-  const { frame, steps, trace } = progress;
+export function traceOf({ steps, trace }: Progress, index: number): Trace | null {
   const step = steps[index];
   if (!step || !("play" in step.move)) return null;
   if (index === steps.findLastIndex(isShot)) return trace;
   let found = known.get(step);
   if (!found) {
-    const { record } = frame;
-    const before = engine.replay({ ...record, moves: record.moves.slice(0, index) });
-    found = before.play(step.move.play).trace;
-    before.free();
+    // Not from the start of the game: that would take longer with every move.
+    const frame = step.from.copy();
+    found = frame.play(step.move.play).trace;
+    frame.free();
     known.set(step, found);
   }
   return found;
@@ -57,6 +56,6 @@ export function neighbour(
 /** Replays the shot of a move. @param still Whether to show its end at once. */
 export function replayMove(store: Store, engine: Engine, index: number, still: boolean): void {
   const progress = standing(store, engine);
-  const trace = progress && traceOf(engine, progress, index);
+  const trace = progress && traceOf(progress, index);
   if (trace) replay(store, trace, still ? trace.duration : 0, !still);
 }

@@ -89,7 +89,7 @@ export const analyse: Translation<typeof en.analyse> = {
   "next.none": "Von keiner Stelle hat {ball} eine direkte Linie zu einer Tasche.",
   "plan.title": "Drei Kugeln hintereinander",
   "plan.ball": "Kugel {number}",
-  "plan.any": "Beliebig",
+  "plan.any": "Jede",
   "plan.plan": "Planen",
   "plan.hint": "Wählen Sie die Kugeln, oder überlassen Sie die Wahl dem Programm.",
   "plan.searching": "Wird geplant …",

@@ -48,14 +48,14 @@ export const page: Translation<typeof en.page> = {
 
   "steps.title": "Erste Schritte",
   "steps.pot":
-    "Loche die 9: Ziehe auf dem Tisch, bis die Linie in die beleuchtete Tasche springt, dann stoße.",
+    "Lochen Sie die 9: Ziehen Sie auf dem Tisch, bis die Linie in die helle Tasche springt, und stoßen Sie.",
   "steps.stop":
-    "Loche jetzt die 1, und lass den Spielball im Kreis liegen: Triff ihn tiefer und fester.",
+    "Lochen Sie jetzt die 1, der Spielball bleibt im Kreis liegen: Treffen Sie ihn tiefer und fester.",
   "steps.well-done": "Gut gemacht.",
   "steps.again": "Noch nicht.",
   "steps.end":
     "Gut gemacht. Die besten Stöße jeder Lage nennt das Analysieren; unter Spielen spielt man gegen die Maschine, unter Üben übt man.",
-  "steps.skip": "Überspringen",
+  "steps.skip": "Später",
 
   "language.label": "Sprache",
   "language.hint":

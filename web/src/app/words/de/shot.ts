@@ -105,6 +105,8 @@ export const shot: Translation<typeof en.shot> = {
   "error.other": "Das ist nicht möglich. Einzelheiten auf Englisch: {message}",
 
   "error.not-json": "Sie enthält weder einen Stoß noch eine Aufzeichnung von carom.",
+  "error.game": "Das Spiel in dieser Datei ist beschädigt: Wählen Sie eine andere Kopie davon.",
+  "error.other-version": "Sie stammt von einer anderen Version von carom.",
   "error.file": "Diese Datei lässt sich nicht öffnen. {why}",
   "error.start": "Der Tisch kann nicht angezeigt werden. {why}",
   "error.unplayable": "Dieser Stoß lässt sich nicht spielen. {why}",

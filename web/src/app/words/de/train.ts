@@ -84,6 +84,9 @@ export const train: Translation<typeof en.train> = {
   "deviation.struck":
     "Nicht gezählt: Eine andere Kugel wird gestoßen. Bauen Sie die Kugeln neu auf.",
 
+  "train.damaged":
+    "Die laufende Übung war nicht lesbar: Beginnen Sie sie noch einmal. Ihre Ergebnisse sind erhalten.",
+
   "progress.title": "Ihr Fortschritt",
   "progress.kept": "Er bleibt in diesem Browser. Sichern Sie ihn als Datei, um ihn mitzunehmen.",
   "progress.not-kept":

@@ -100,6 +100,8 @@ export const shot = {
   "error.other": "{message}",
 
   "error.not-json": "It is neither a shot nor a trace of carom.",
+  "error.game": "The game in this file is damaged: choose another copy of it.",
+  "error.other-version": "It was made by another version of carom.",
   "error.file": "This file cannot be opened. {why}",
   "error.start": "The table cannot be shown. {why}",
   "error.unplayable": "This shot cannot be played. {why}",

@@ -78,6 +78,9 @@ export const train = {
   "deviation.cue": "Not counted: the cue ball lies elsewhere. Set the balls again.",
   "deviation.struck": "Not counted: another ball is struck. Set the balls again.",
 
+  "train.damaged":
+    "The drill that was under way could not be read: begin it again. Your results are kept.",
+
   "progress.title": "Your progress",
   "progress.kept": "It is kept in this browser. Save it as a file to take it elsewhere.",
   "progress.not-kept":

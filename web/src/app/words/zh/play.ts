@@ -4,7 +4,7 @@ import type { Translation } from "../entry.ts";
 export const play: Translation<typeof en.play> = {
   "machine.level-1": "1 级，新手",
   "machine.level-2": "2 级，休闲球员",
-  "machine.level-3": "3 级，俱乐部球员",
+  "machine.level-3": "3 级，俱乐部级",
   "machine.level-4": "4 级，联赛球员",
   "machine.level-5": "5 级，冠军",
   "machine.name": "机器 {level}",

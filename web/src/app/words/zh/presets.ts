@@ -27,8 +27,8 @@ export const presets: Translation<typeof en.presets> = {
   "preset.earlier": "以前的数值",
 
   "level.beginner": "初学者",
-  "level.casual": "业余爱好者",
-  "level.club": "俱乐部球员",
+  "level.casual": "业余球员",
+  "level.club": "俱乐部级",
   "level.advanced": "高手",
   "level.professional": "职业球员",
   "level.olympiad": "奥林匹克",

@@ -93,6 +93,8 @@ export const shot: Translation<typeof en.shot> = {
   "error.other": "无法这样做。英文说明：{message}",
 
   "error.not-json": "它不是 carom 的击球文件，也不是记录文件。",
+  "error.game": "这个文件中的比赛已损坏：请选择另一份副本。",
+  "error.other-version": "它由 carom 的另一个版本制作。",
   "error.file": "无法打开这个文件。{why}",
   "error.start": "无法显示球台。{why}",
   "error.unplayable": "无法打这一杆。{why}",

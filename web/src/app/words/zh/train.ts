@@ -75,6 +75,8 @@ export const train: Translation<typeof en.train> = {
   "deviation.cue": "不计：母球的位置不对。请重新摆球。",
   "deviation.struck": "不计：击打的不是母球。请重新摆球。",
 
+  "train.damaged": "无法读取进行中的练习：请重新开始。你的成绩已保留。",
+
   "progress.title": "你的进度",
   "progress.kept": "进度保存在这个浏览器中。存成文件即可带走。",
   "progress.not-kept": "这个浏览器不为本页面保存任何内容：关闭之前请把进度存成文件。",
