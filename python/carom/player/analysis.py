@@ -136,6 +136,8 @@ class Recommendation:
                 return f"kick: off {_cushions(self.legs[0][1])}, {pot}"
             case "combination":
                 return f"combination: {self.legs[1][0]}, {pot}"
+            case "indirect":
+                return f"indirect: {pot}"
             case _:
                 return pot
 

@@ -72,9 +72,17 @@ export interface Chance {
 
 /** One of the best plays, with chances that are counted with errors which took no part in the choice. */
 export interface Recommendation {
-  /** What the play is meant to do; the first five pot a ball, an indirect one on a way that is no line. */
+  /** What the play is meant to do. The first five pot a ball; an indirect one has no line. */
   readonly kind:
-    "direct" | "bank" | "kick" | "combination" | "indirect" | "safety" | "carom" | "break" | "push-out";
+    | "direct"
+    | "bank"
+    | "kick"
+    | "combination"
+    | "indirect"
+    | "safety"
+    | "carom"
+    | "break"
+    | "push-out";
   /** The ball that is to fall, and its pocket; null if none is. */
   readonly ball: string | null;
   readonly pocket: PocketName | null;

@@ -14,7 +14,7 @@ pub(crate) const PRIOR_SAMPLES: f64 = 4.0;
 pub enum PlayKind {
     /// To pot a ball along a line.
     Pot(LineKind),
-    /// To pot a ball on a way that is no line: off several cushions, or off another ball.
+    /// To pot a ball without a line: off several cushions, or off another ball.
     Indirect,
     /// To leave the other player a difficult shot.
     Safety,
