@@ -69,6 +69,8 @@ for (const [name, viewport] of [
     expect((await treeOf(page)).nodes.length).toBe(2);
     await panel.getByLabel("The shots as text").fill(text);
     await panel.getByRole("button", { name: "Open this text" }).click();
+    // The text is read in tasks of one shot each.
+    await expect.poll(async () => (await treeOf(page)).nodes.length).toBe(3);
     const back = await treeOf(page);
     expect(back.nodes.map(({ azimuth }) => azimuth).sort()).toEqual([200, 66.8, 90]);
     expect(back.nodes.find(({ id }) => id === back.at)!.comment).toBe("safe, if soft");
