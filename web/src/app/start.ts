@@ -16,7 +16,7 @@ import { hasSeenOpening } from "./help/opening.ts";
 import { replay } from "./replay/control.ts";
 import { type LinkContents, readAddress, showTime } from "./share/address.ts";
 import { LinkError } from "./share/link.ts";
-import { takeKept } from "./share/reload.ts";
+import { takeKept, wasSilent } from "./share/reload.ts";
 import { t } from "./words/translate.ts";
 
 export interface Start {
@@ -81,7 +81,7 @@ async function fromLink(
     const { document, view, time } = contents;
     const begin = (store: Store) => {
       // A link may be opened anywhere; what was kept was here before.
-      store.setSession({ sound: read !== readAddress });
+      if (read === readAddress || wasSilent()) store.setSession({ sound: false });
       showTime(store, engine, time);
     };
     return { document, view, welcome: false, begin };

@@ -44,3 +44,44 @@ test("a shared link opens without sound", async ({ open }) => {
   const linked = await open({ hash });
   expect(await linked.evaluate(() => window.carom!.store.session.sound)).toBe(false);
 });
+
+test("sound that is switched off stays off after a reload, and in the next visit", async ({
+  open,
+}) => {
+  // Seen: a page that was silenced sounded again once it was loaded again.
+  const page = await open({ locale: "en-CA" });
+  const sounds = () => page.evaluate(() => window.carom!.store.session.sound);
+  const load = async (go: () => Promise<unknown>) => {
+    await go();
+    await page.waitForFunction(
+      () => performance.getEntriesByName("carom:interactive").length > 0,
+      undefined,
+    );
+  };
+  await page.keyboard.press("m");
+  expect(await sounds()).toBe(false);
+  await load(() => page.reload());
+  expect(await sounds()).toBe(false);
+  const address = page.url().replace(/#.*/s, "");
+  await load(async () => {
+    await page.goto("about:blank");
+    await page.goto(address);
+  });
+  expect(await sounds()).toBe(false);
+  await page.keyboard.press("m");
+  await load(() => page.reload());
+  expect(await sounds()).toBe(true);
+});
+
+test("a shared link is still silent after a reload", async ({ open }) => {
+  const page = await open();
+  await page.evaluate(() => window.carom!.store.strike({ speed: 3 }, "change"));
+  await page.waitForFunction(() => location.hash.length > 1);
+  const linked = await open({ hash: await page.evaluate(() => location.hash) });
+  await linked.reload();
+  await linked.waitForFunction(
+    () => performance.getEntriesByName("carom:interactive").length > 0,
+    undefined,
+  );
+  expect(await linked.evaluate(() => window.carom!.store.session.sound)).toBe(false);
+});

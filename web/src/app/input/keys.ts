@@ -7,6 +7,7 @@ import { aimAt, FINE, turn } from "../document/strike.ts";
 import { aimAtNextPocket } from "../analyse/pot.ts";
 import { redo, undo } from "../document/undo.ts";
 import { leave, stepBackwards, stepForwards, togglePlaying } from "../replay/control.ts";
+import { switchSound } from "../replay/sound.ts";
 import type { Store } from "../document/store.ts";
 import { round } from "../common/units.ts";
 import { type PlainKey, t } from "../words/translate.ts";
@@ -133,7 +134,7 @@ export const KEYS: readonly Key[] = [
     shown: ["M"],
     help: "key.sound",
     run: ({ store, context }) => {
-      store.setSession({ sound: !store.session.sound });
+      switchSound(store);
       context.announce(t(store.session.sound ? "replay.sound-on" : "replay.sound-off"));
     },
   },

@@ -10,9 +10,34 @@ const ICONS = {
   off: "M4 10v4h4l5 4V6L8 10zM16 10l4 4M20 10l-4 4",
 };
 
+/** Name in the browser's storage under which it is kept that the user has switched the sound off. */
+const SILENCED = "carom-sound-off";
+
+function isSilenced(): boolean {
+  try {
+    return localStorage.getItem(SILENCED) !== null;
+  } catch {
+    // Some frames and browsers have no storage.
+    return false;
+  }
+}
+
+/** Switches the sound on or off, also for later visits. */
+export function switchSound(store: Store): void {
+  const sound = !store.session.sound;
+  store.setSession({ sound });
+  try {
+    if (sound) localStorage.removeItem(SILENCED);
+    else localStorage.setItem(SILENCED, "1");
+  } catch {
+    // Without storage the choice ends with the page.
+  }
+}
+
 /** Plays the impacts of a running replay while sound is switched on. */
 export function mountSound(store: Store): void {
   const speaker = new Speaker();
+  if (isSilenced()) store.setSession({ sound: false });
   store.subscribe(({ session }, { session: before }) => {
     const { trace, playing, sound, stroke, time, rate } = session;
     if (playing && sound && trace) {
@@ -27,9 +52,7 @@ export function mountSound(store: Store): void {
 
 /** Switches the sound on and off. */
 export function soundButton(store: Store): HTMLButtonElement {
-  const onclick = () => {
-    store.setSession({ sound: !store.session.sound });
-  };
+  const onclick = () => switchSound(store);
   const made = h("button", { type: "button", class: "button", id: "sound", onclick });
   const show = () => {
     const { sound } = store.session;

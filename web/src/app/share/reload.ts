@@ -10,8 +10,9 @@ import { type LinkContents, readLink } from "./address.ts";
 import { LinkError } from "./link.ts";
 import { stateFromFragment, stateToFragment } from "./state.ts";
 
-/** Name of the link in the storage of the tab. */
+/** Names in the storage of the tab: the link, and that the page was silent. */
 const KEPT = "carom-reload";
+const SILENT = "carom-reload-silent";
 
 /**
  * Stores document, view and time of the replay for the next load of the page.
@@ -24,6 +25,18 @@ export function keepForReload(store: Store): void {
   const kept = stateToFragment(store.document.shot, store.state);
   stateFromFragment(kept);
   sessionStorage.setItem(KEPT, kept);
+  // A link opens without sound, and the page stays silent when it is loaded again.
+  if (store.session.sound) sessionStorage.removeItem(SILENT);
+  else sessionStorage.setItem(SILENT, "1");
+}
+
+/** Whether what was kept had no sound. */
+export function wasSilent(): boolean {
+  try {
+    return sessionStorage.getItem(SILENT) !== null;
+  } catch {
+    return false;
+  }
 }
 
 /** Keeps the last changes when the page is loaded again: the address may not have them yet. */
