@@ -23,7 +23,7 @@ export class Speaker {
    * shoots.
    */
   wake(): void {
-    if (typeof AudioContext === "undefined") return;
+    if (typeof AudioContext === "undefined" || !isActivated()) return;
     if (!this.#context) {
       this.#context = new AudioContext();
       const limiter = new DynamicsCompressorNode(this.#context, { threshold: -12, ratio: 8 });
@@ -46,7 +46,7 @@ export class Speaker {
   }
 
   #sound(impact: Impact, delay: number): void {
-    if (impact.kind === "tip" && "vibrate" in navigator) navigator.vibrate(BUZZ);
+    if (impact.kind === "tip" && "vibrate" in navigator && isActivated()) navigator.vibrate(BUZZ);
     const [context, output] = [this.#context, this.#output];
     if (context?.state !== "running" || !output) return;
     const stop = sound(context, output, impact, context.currentTime + delay);
@@ -62,4 +62,13 @@ export class Speaker {
     this.#schedule = null;
     this.#trace = null;
   }
+}
+
+/**
+ * Whether the user has touched or clicked the page. Before, browsers refuse sound and vibration, and report
+ * each attempt: an embedded trace plays by itself.
+ */
+function isActivated(): boolean {
+  // Firefox has it since version 120.
+  return !("userActivation" in navigator) || navigator.userActivation.hasBeenActive;
 }

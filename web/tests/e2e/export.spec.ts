@@ -115,6 +115,11 @@ open(sys.argv[1], "w", encoding="utf-8").write(page)
   );
   const context = await browser.newContext({ offline: true });
   const page = await context.newPage();
+  // Seen: the browser reported a refused vibration and a refused sound.
+  const said: string[] = [];
+  page.on("console", (message) => {
+    if (/vibrate|AudioContext/.test(message.text())) said.push(message.text());
+  });
   await page.goto(address("site.html"));
   const inside = page.frames()[1]!;
   await inside.waitForFunction(() => window.carom?.store.session.mode === "replay", undefined, {
@@ -134,6 +139,7 @@ open(sys.argv[1], "w", encoding="utf-8").write(page)
   });
   expect(label).toBe("take it from here");
   expect(balls).toBeLessThanOrEqual(trace.balls);
+  expect(said).toEqual([]);
   await context.close();
 });
 
