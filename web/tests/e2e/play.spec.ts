@@ -128,6 +128,14 @@ for (const [name, viewport, colorScheme] of [
     expect(await speed()).toBe(2);
     await page.mouse.up();
     expect(await moves(page)).toBe(0);
+    // Seen: Escape did nothing, and the release shot.
+    await to(0);
+    await page.mouse.down();
+    await to(60);
+    await page.keyboard.press("Escape");
+    expect(await speed()).toBe(2);
+    await page.mouse.up();
+    expect(await moves(page)).toBe(0);
     await to(0);
     await page.mouse.down();
     await to(45);

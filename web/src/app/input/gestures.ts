@@ -157,6 +157,18 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     end();
   });
 
+  // Before the keys of the page, which would only clear the selection.
+  addEventListener(
+    "keydown",
+    (event) => {
+      if (event.key !== "Escape" || striking === null) return;
+      event.stopPropagation();
+      loop.flush();
+      end();
+    },
+    { capture: true },
+  );
+
   function end(): void {
     loupe.release();
     if (!drag && striking === null) return;

@@ -108,7 +108,7 @@ export const page: Translation<typeof en.page> = {
   "key.play": "Wiederholung abspielen oder anhalten",
   "key.events": "In der Wiederholung: zum vorigen oder nächsten Ereignis",
   "key.take": "Von hier weiterspielen: Die Endlage wird die neue Lage",
-  "key.escape": "Wiederholung beenden; beim Zielen: Auswahl aufheben",
+  "key.escape": "Wiederholung beenden; beim Zielen: Ausholen abbrechen, Auswahl aufheben",
   "key.undo": "Rückgängig",
   "key.redo": "Wiederholen",
   "key.top": "Blick von oben",

@@ -105,7 +105,7 @@ export const page = {
   "key.play": "Play or pause the replay",
   "key.events": "In a replay: go to the previous or next event",
   "key.take": "Take it from here: the final positions become the new layout",
-  "key.escape": "End the replay; while aiming: clear the selection",
+  "key.escape": "End the replay; while aiming: cancel a pull of the cue, clear the selection",
   "key.undo": "Undo",
   "key.redo": "Redo",
   "key.top": "View from above",

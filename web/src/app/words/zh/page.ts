@@ -96,7 +96,7 @@ export const page: Translation<typeof en.page> = {
   "key.play": "播放或暂停回放",
   "key.events": "回放时：到上一个或下一个事件",
   "key.take": "从这里继续：最后的位置成为新的布局",
-  "key.escape": "结束回放；瞄准时：取消选择",
+  "key.escape": "结束回放；瞄准时：放开球杆而不击球，取消选择",
   "key.undo": "撤销",
   "key.redo": "重做",
   "key.top": "俯视",
