@@ -160,6 +160,58 @@ test("the button that shoots is in the dock, however long the text above it", as
   expect(await button(other), "first steps").toBeGreaterThan(0);
 });
 
+test("the slider and Shoot stay where they are while the text above them changes", async ({
+  open,
+}) => {
+  // Seen: the slider moved by 10 pixels under the finger when the text had one line instead of two.
+  const page = await open(TOUCH);
+  const places = async () => {
+    await settled(page);
+    const boxes = [page.locator("#shoot-button"), page.locator(".power-bar")];
+    return Promise.all(boxes.map(async (one) => (await one.boundingBox())!.y));
+  };
+  const long = await places();
+  const outcome = page.locator("#outcome");
+  const tall = (await outcome.boundingBox())!.height;
+  await page.evaluate(() => window.carom!.store.strike({ azimuth_deg: 180 }, "aim"));
+  await settled(page);
+  expect((await outcome.boundingBox())!.height).toBeLessThan(tall);
+  expect(await places()).toEqual(long);
+});
+
+test("a notice uses the width of a phone before it wraps", async ({ open }) => {
+  // Seen: three short lines, because the notice could be half as wide as the window only.
+  const page = await open(TOUCH);
+  const height = (text: string) =>
+    page.locator("#notice").evaluate((notice, said) => {
+      notice.textContent = said;
+      return notice.getBoundingClientRect().height;
+    }, text);
+  const line = await height("Undone.");
+  expect(await height("Missed: the cue ball is lost this time.")).toBe(line);
+  expect(await height("A sentence that has no place in one line. ".repeat(4))).toBeGreaterThan(
+    line,
+  );
+});
+
+test("a refusal is in view while the panel is open", async ({ open }) => {
+  // Seen: the panel covered the sentence about a damaged file.
+  const page = await open(TOUCH);
+  await page.getByRole("radio", { name: "Train" }).click();
+  await page.locator("#progress-file").setInputFiles({
+    name: "bad.json",
+    mimeType: "application/json",
+    buffer: Buffer.from("{"),
+  });
+  const refusal = page.getByText("bad.json is damaged or no progress file");
+  const { x, y, width, height } = (await refusal.boundingBox())!;
+  const top = await page.evaluate(([left, up]) => document.elementFromPoint(left, up)?.id, [
+    x + width / 2,
+    y + height / 2,
+  ] as const);
+  expect(top).toBe("refusal");
+});
+
 test("a finger drags a ball from the tray onto the table", async ({ open }) => {
   // Seen: the panel scrolled instead.
   const page = await open({ viewport: PHONE, hasTouch: true, isMobile: true });

@@ -293,6 +293,10 @@ test("progress is saved as a file and added without duplicates; a damaged file c
     await page.getByText(`bad.json ${sentence}`).waitFor();
     expect(await results(page)).toEqual(kept);
   }
+  // Seen: the refusal of the damaged file stayed beside the confirmation of the whole one.
+  await add(Buffer.from(saved));
+  await page.getByText("0 new results added.").waitFor();
+  expect(await page.locator("#refusal").isVisible()).toBe(false);
   await clear(page);
 });
 

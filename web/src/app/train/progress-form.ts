@@ -54,6 +54,8 @@ async function addFile(file: File, { store, context, keeper }: Trainer): Promise
     const size = () => keeper.progress.results.length + keeper.progress.puzzles.length;
     const before = size();
     keeper.add(progressOfText(text));
+    // The refusal of an earlier file would contradict this one.
+    store.setSession({ refusal: null });
     context.announce(t("progress.imported", { count: size() - before }));
   } catch (error) {
     if (!(error instanceof DamagedProgress)) throw error;
