@@ -1,6 +1,6 @@
 import type { Page } from "playwright-core";
 import { expect, onPage, picture, settled, shotOf, SMALL, test } from "./fixture.ts";
-import { showTab, SIZES } from "./sizes.ts";
+import { beginGame, showTab, SIZES } from "./sizes.ts";
 
 /** Racks that are searched. About one usual break of nine-ball in ten pockets the nine. */
 const RACKS = 500;
@@ -127,6 +127,15 @@ test("the speed can be seen and set in a game at 844×390", async ({ open }) => 
   const said = page.locator(".power-speed");
   expect(await said.textContent()).toMatch(/^7\.5 m\/s/);
   expect(await said.evaluate((text) => text.clientWidth)).toBeGreaterThan(70);
+});
+
+test("the button after the end of a frame is in view at 844×390", async ({ open }) => {
+  // Seen: the bar kept its narrow column, and the button was below the edge of the window.
+  const page = await open({ viewport: { width: 844, height: 390 }, reducedMotion: "reduce" });
+  await beginGame(page);
+  await page.getByRole("button", { name: "Concede" }).click();
+  const box = (await page.getByRole("button", { name: "Another frame" }).boundingBox())!;
+  expect(box.y + box.height).toBeLessThanOrEqual(390);
 });
 
 // Seen: a TypeError, because the ball under the pointer was looked up among the balls after the shot.
