@@ -59,6 +59,8 @@ for (const [name, viewport] of [
     await panel.getByLabel("Comment").blur();
     expect((await rows(page)).at(-1)).toContain("safe, if soft");
 
+    // Seen: the curve had neither a title nor numbers.
+    await panel.getByText("Chance of each pot: 0 % at the bottom").waitFor();
     await panel.getByText("As text", { exact: true }).click();
     await panel.getByRole("button", { name: "Copy" }).click();
     const text = await page.evaluate(() => navigator.clipboard.readText());

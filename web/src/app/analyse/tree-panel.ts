@@ -228,7 +228,10 @@ export function mountTree(
     const known = nodes.map(({ shot }) =>
       potIn(outcomeOf(engine, shot), shot) ? (chances.get(shot)?.get(key) ?? null) : 0,
     );
-    curve.replaceChildren(curvePicture(nodes, known, tree.at));
+    curve.replaceChildren(
+      h("p", { class: "hint" }, t("tree.curve-title")),
+      curvePicture(nodes, known, tree.at),
+    );
     const missing = known.indexOf(null);
     const shot = nodes[missing]?.shot;
     if (!shot) {

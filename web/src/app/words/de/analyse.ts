@@ -115,6 +115,7 @@ export const analyse: Translation<typeof en.analyse> = {
   "tree.nothing": "Keine Kugel fällt",
   "tree.scratch": "{text}, Spielball fällt",
   "tree.unplayable": "Nicht spielbar",
+  "tree.curve-title": "Chance jedes Stoßes: unten 0 %, oben 100 %",
   "tree.curve": "Chancen der Stöße dieser Folge: {chances}",
   "tree.chance": "Stoß {number} {chance}",
   "tree.text": "Als Text",

@@ -111,6 +111,7 @@ export const analyse = {
   "tree.nothing": "No ball falls",
   "tree.scratch": "{text}, scratch",
   "tree.unplayable": "Cannot be played",
+  "tree.curve-title": "Chance of each pot: 0 % at the bottom, 100 % at the top",
   "tree.curve": "Chances of the pots along the line: {chances}",
   "tree.chance": "shot {number} {chance}",
   "tree.text": "As text",

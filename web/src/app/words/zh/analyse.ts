@@ -107,6 +107,7 @@ export const analyse: Translation<typeof en.analyse> = {
   "tree.nothing": "没有球进袋",
   "tree.scratch": "{text}，母球落袋",
   "tree.unplayable": "无法击打",
+  "tree.curve-title": "各杆的进球率：下方为 0 %，上方为 100 %",
   "tree.curve": "沿线各杆的进球率：{chances}",
   "tree.chance": "第 {number} 杆 {chance}",
   "tree.text": "文本形式",
