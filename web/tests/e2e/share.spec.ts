@@ -238,9 +238,9 @@ test("a bad file is refused with the engine's reason, and nothing changes", asyn
     ["no JSON at all", /cannot be opened/],
     ['{"format": "carom-shot/1", "table": "wpa-9ft"}', /balls/],
     [JSON.stringify(overlapping), /overlaps/],
-    ["null", /neither a shot nor a trace/],
-    ["[]", /neither a shot nor a trace/],
-    ['{"format": "other/1"}', /neither a shot nor a trace/],
+    ["null", /not a shot, a trace, a game or an analysis/],
+    ["[]", /not a shot, a trace, a game or an analysis/],
+    ['{"format": "other/1"}', /not a shot, a trace, a game or an analysis/],
     ['{"format": "carom-frame/9"}', /another version of carom/],
   ] as const) {
     await drop(page, "bad.json", content);

@@ -31,7 +31,8 @@ export const share: Translation<typeof en.share> = {
     "Der Browser erlaubt dieser Seite das Kopieren nicht. Hier ist der Text, markiert:",
 
   "open.open": "Öffnen",
-  "open.hint": "Eine Stoßdatei oder Aufzeichnung öffnen; Sie können sie auch auf die Seite ziehen",
+  "open.hint":
+    "Einen Stoß, eine Aufzeichnung, ein Spiel oder eine Analyse öffnen; Sie können die Datei auch auf die Seite ziehen",
   "open.file": "Stoßdatei oder Aufzeichnung",
   "open.drop": "Zum Öffnen ablegen",
   "open.opened": "{file} ist geöffnet.",

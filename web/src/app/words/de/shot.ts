@@ -104,7 +104,8 @@ export const shot: Translation<typeof en.shot> = {
     "Dieser Stoß hat zu viele Zusammenstöße: Ändern Sie das Tempo oder die Kugeln.",
   "error.other": "Das ist nicht möglich. Einzelheiten auf Englisch: {message}",
 
-  "error.not-json": "Sie enthält weder einen Stoß noch eine Aufzeichnung von carom.",
+  "error.not-json":
+    "Sie enthält keinen Stoß, keine Aufzeichnung, kein Spiel und keine Analyse von carom.",
   "error.game": "Das Spiel in dieser Datei ist beschädigt: Wählen Sie eine andere Kopie davon.",
   "error.other-version": "Sie stammt von einer anderen Version von carom.",
   "error.file": "Diese Datei lässt sich nicht öffnen. {why}",

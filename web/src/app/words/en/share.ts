@@ -26,7 +26,8 @@ export const share = {
   "share.not-allowed": "The browser does not allow this page to copy. Here is the text, selected:",
 
   "open.open": "Open",
-  "open.hint": "Open a shot file or a trace; you can also drop it on the page",
+  "open.hint":
+    "Open a shot, a trace, a game or an analysis; you can also drop the file on the page",
   "open.file": "Shot or trace file",
   "open.drop": "Drop to open",
   "open.opened": "{file} is open.",

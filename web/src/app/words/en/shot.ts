@@ -99,7 +99,7 @@ export const shot = {
     "This shot has too many collisions to be computed: change its speed or its balls.",
   "error.other": "{message}",
 
-  "error.not-json": "It is neither a shot nor a trace of carom.",
+  "error.not-json": "It is not a shot, a trace, a game or an analysis of carom.",
   "error.game": "The game in this file is damaged: choose another copy of it.",
   "error.other-version": "It was made by another version of carom.",
   "error.file": "This file cannot be opened. {why}",

@@ -92,7 +92,7 @@ export const shot: Translation<typeof en.shot> = {
   "error.too-many-events": "这一杆的碰撞太多，无法计算：请改变力度或球的位置。",
   "error.other": "无法这样做。英文说明：{message}",
 
-  "error.not-json": "它不是 carom 的击球文件，也不是记录文件。",
+  "error.not-json": "它不是 carom 的击球、记录、比赛或分析文件。",
   "error.game": "这个文件中的比赛已损坏：请选择另一份副本。",
   "error.other-version": "它由 carom 的另一个版本制作。",
   "error.file": "无法打开这个文件。{why}",
