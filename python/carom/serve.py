@@ -16,6 +16,9 @@ from typing import Any
 from carom.errors import InputError
 
 HOST = "127.0.0.1"
+# The usual port. A browser keeps progress and settings separately for each address, so a new port
+# at each start would lose them. The number has no other common use.
+PORT = 8737
 
 # Types of the files beside the page.
 TYPES = {
@@ -32,6 +35,7 @@ class PageServer(ThreadingHTTPServer):
         page: The HTML.
         port: The port; 0 chooses a free one.
         beside: The files beside the page by name, such as its icons.
+        kept: Whether a browser may keep the page for use without a network.
 
     Raises:
         InputError: The port cannot be used.
@@ -40,9 +44,15 @@ class PageServer(ThreadingHTTPServer):
     daemon_threads = True
 
     def __init__(
-        self, page: str, port: int = 0, *, beside: Mapping[str, bytes] | None = None
+        self,
+        page: str,
+        port: int = 0,
+        *,
+        beside: Mapping[str, bytes] | None = None,
+        kept: bool = False,
     ) -> None:
         self.beside = dict(beside or {})
+        self.cache_control = "no-cache" if kept else "no-store"
         self.plain = page.encode()
         self.packed = gzip.compress(self.plain, compresslevel=6)
         try:
@@ -86,7 +96,7 @@ class _Handler(BaseHTTPRequestHandler):
             self.send_header("Content-Encoding", "gzip")
         self.send_header("Vary", "Accept-Encoding")
         # The next `carom play` may serve another shot at the same port.
-        self.send_header("Cache-Control", "no-store")
+        self.send_header("Cache-Control", self.server.cache_control)
         self.send_header("X-Content-Type-Options", "nosniff")
         self.end_headers()
         self.wfile.write(body)
@@ -108,22 +118,25 @@ class _Handler(BaseHTTPRequestHandler):
 def serve(
     page: str,
     *,
-    port: int = 0,
+    port: int | None = None,
     browser: bool = True,
     beside: Mapping[str, bytes] | None = None,
+    kept: bool = False,
 ) -> None:
     """Serve ``page`` until Ctrl-C, and open it in the browser.
 
     Args:
         page: The HTML.
-        port: The port; 0 chooses a free one.
+        port: The port; 0 chooses a free one; None takes the usual one, or a free one if that is
+            in use.
         browser: Whether to open a browser.
         beside: The files beside the page by name, such as its icons.
+        kept: Whether a browser may keep the page for use without a network.
 
     Raises:
         InputError: The port cannot be used.
     """
-    with PageServer(page, port, beside=beside) as server:
+    with _server(page, port, beside=beside, kept=kept) as server:
         sys.stderr.write(f"carom: {server.address} (Ctrl-C ends)\n")
         sys.stderr.flush()
         if browser:
@@ -131,3 +144,14 @@ def serve(
             threading.Thread(target=webbrowser.open, args=[server.address], daemon=True).start()
         with contextlib.suppress(KeyboardInterrupt):
             server.serve_forever()
+
+
+def _server(
+    page: str, port: int | None, *, beside: Mapping[str, bytes] | None, kept: bool
+) -> PageServer:
+    if port is not None:
+        return PageServer(page, port, beside=beside, kept=kept)
+    try:
+        return PageServer(page, PORT, beside=beside, kept=kept)
+    except InputError:
+        return PageServer(page, beside=beside, kept=kept)

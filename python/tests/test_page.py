@@ -235,6 +235,28 @@ def test_a_port_in_use_is_refused_with_a_remedy() -> None:
         serve.PageServer("", server.server_port)
 
 
+def test_the_usual_port_is_the_same_at_every_start_unless_it_is_in_use(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Seen: each start had another port, so the browser began with an empty progress."""
+    with socket.create_server((serve.HOST, 0)) as free:
+        port = free.getsockname()[1]
+    monkeypatch.setattr(serve, "PORT", port)
+    for _ in range(2):
+        with serve._server("", None, beside=None, kept=False) as server:
+            assert server.server_port == port
+            with serve._server("", None, beside=None, kept=False) as other:
+                assert other.server_port != port
+
+
+@pytest.mark.parametrize(("kept", "control"), [(True, "no-cache"), (False, "no-store")])
+def test_only_a_page_without_a_shot_may_be_kept(kept: bool, control: str) -> None:
+    with serve.PageServer("", kept=kept) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        assert ask(server, "GET", "/")[0].headers["Cache-Control"] == control
+        server.shutdown()
+
+
 @contextmanager
 def playing(*arguments: str, stdin: str = "") -> Iterator[tuple[str, subprocess.Popen[str]]]:
     """The port that ``carom play`` prints, and its process."""

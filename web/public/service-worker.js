@@ -42,7 +42,9 @@ async function fromNetwork(request) {
   const cache = await caches.open(CACHE);
   try {
     const response = await fetch(request);
-    if (response.ok) await cache.put(request, response.clone());
+    // `carom play SHOT` serves a page with a shot at the same address.
+    const isKept = !/no-store/.test(response.headers.get("cache-control") ?? "");
+    if (response.ok && isKept) await cache.put(request, response.clone());
     return response;
   } catch (error) {
     // The address of the page may have a query.

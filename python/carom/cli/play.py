@@ -18,8 +18,14 @@ def play(
         typer.Argument(metavar="FILE", help="A shot to aim or a trace to replay; - is stdin."),
     ] = None,
     port: Annotated[
-        int, typer.Option(min=0, max=65535, help="Port on this machine; 0 chooses a free one.")
-    ] = 0,
+        int | None,
+        typer.Option(
+            min=0,
+            max=65535,
+            help="Port on this machine; 0 chooses a free one. Without this option the port is "
+            "the same at every start, unless it is in use.",
+        ),
+    ] = None,
     browser: Annotated[
         bool, typer.Option("--browser/--no-browser", help="Open the page in the browser.")
     ] = True,
@@ -31,7 +37,12 @@ def play(
     keep_sockets()
     document = None if file is None else _document(read(file), file_name(file))
     carom.serve.serve(
-        carom.page.html(document), port=port, browser=browser, beside=carom.page.beside()
+        carom.page.html(document),
+        port=port,
+        browser=browser,
+        beside=carom.page.beside(),
+        # Without a network a browser shows the page itself, not the last shot.
+        kept=document is None,
     )
 
 
