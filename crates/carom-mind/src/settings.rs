@@ -38,7 +38,7 @@ pub struct SearchSettings {
     /// Number of safeties among them.
     pub safeties: usize,
     /// Simulations of the first round: of a usual shot; more with the cue ball in hand, for opening
-    /// shots, and where the budget is large. Each further round has twice as many.
+    /// shots, and where the budget is large. Each further round has 1.6 times as many.
     pub first_round: u64,
     /// Share of a further round's simulations that look for neighbours of the best plays. 0 to 0.9.
     pub refining: f64,

@@ -89,12 +89,26 @@ impl Sampler {
     ) -> Result<(), Error> {
         let struck = prepared.struck_ball();
         let strike = errors.noise.draw(meant, &struck, errors.seed, index);
+        self.simulate_executed(prepared, &strike, errors, index)
+    }
+
+    /// As [`Self::simulate_variant`], with the strike that is executed in place of the one that is drawn.
+    ///
+    /// # Errors
+    /// As [`Self::simulate`].
+    pub fn simulate_executed(
+        &mut self,
+        prepared: &Prepared<'_>,
+        executed: &Strike,
+        errors: &Errors,
+        index: u64,
+    ) -> Result<(), Error> {
         if errors.are_of_the_strike() {
-            return self.simulator.simulate(prepared, &strike);
+            return self.simulator.simulate(prepared, executed);
         }
         let variant = self.variant.get_or_insert_with(|| prepared.shot().clone());
         errors.write_shot(prepared.shot(), index, variant);
-        self.simulator.simulate_shot(prepared, variant, &strike, &mut NullRecorder)
+        self.simulator.simulate_shot(prepared, variant, executed, &mut NullRecorder)
     }
 
     /// Rules on the last simulation, which was one of `prepared`, as if `call` had been announced.

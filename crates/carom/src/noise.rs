@@ -213,6 +213,13 @@ impl Noise {
             return *meant;
         }
         let [speed, azimuth, elevation, side, height, _] = normal_deviates(seed, index);
+        self.apply(meant, struck, [speed, azimuth, elevation, side, height])
+    }
+
+    /// The strike `meant` with these errors: deviates of mean 0 and variance 1 of the speed, the azimuth,
+    /// the elevation, the side and the height. A strike that can be played, if `meant` can.
+    pub fn apply(&self, meant: &Strike, struck: &StruckBall, deviates: [f64; 5]) -> Strike {
+        let [speed, azimuth, elevation, side, height] = deviates;
         // Adding 0 would change the sign of −0.
         let add = |meant: f64, sigma: f64, deviate: f64| {
             if sigma == 0.0 { meant } else { meant + sigma * deviate }

@@ -28,7 +28,7 @@ class Player:
 
     A decision depends only on the frame, the errors of both players, the seed and the budget: it
     has the same bits for any number of threads, on every platform. The search works in rounds,
-    each with twice as many simulated shots as the one before. It ends when the budget is spent. A
+    each with 1.6 times as many simulated shots as the one before. It ends when the budget is spent. A
     clock ends it between two rounds, so a decision with ``time=`` depends on the machine;
     ``rounds=`` with the number of rounds of such a decision repeats it.
 

@@ -6,6 +6,7 @@ use carom::table::PocketName;
 use carom_rules::{BallIndex, Call, Frame, Play, Seat, Turn};
 
 use super::candidate::{Candidate, PlayKind};
+use super::windows::DirectPot;
 use crate::line::Line;
 use crate::player::Situation;
 use crate::targets::Targets;
@@ -26,6 +27,10 @@ pub(crate) struct Explorer<'a> {
     /// Most simulations.
     pub(crate) most: u64,
     pub(crate) found: Vec<Candidate>,
+    /// Whether the windows of pots are measured, which takes about ten simulations of each.
+    pub(crate) measures_windows: bool,
+    /// The pots of direct lines, which no other strike needs to make.
+    pub(crate) direct_pots: Vec<DirectPot>,
 }
 
 impl<'a> Explorer<'a> {
@@ -45,6 +50,8 @@ impl<'a> Explorer<'a> {
             plays: 0,
             most,
             found: Vec::new(),
+            measures_windows: false,
+            direct_pots: Vec::new(),
         }
     }
 

@@ -4,6 +4,7 @@
 mod break_search;
 mod candidate;
 mod caroms;
+mod even_errors;
 mod explore;
 mod hand;
 mod kernel_regression;
@@ -17,6 +18,7 @@ mod replies;
 mod rounds;
 mod safeties;
 mod shift;
+mod windows;
 
 pub use break_search::BreakSearch;
 pub use candidate::{Candidate, PlayKind, PlayedVariant};

@@ -9,6 +9,7 @@ use carom_rules::Call;
 
 use super::candidate::PlayKind;
 use super::explore::Explorer;
+use super::windows::Aim;
 use crate::aim::aim;
 use crate::line::{self, Line, LineKind};
 use crate::scene::Scene;
@@ -75,6 +76,13 @@ pub(crate) struct KnownLine {
     tried: usize,
 }
 
+impl KnownLine {
+    /// Whether a strike on this line has potted its ball.
+    pub(crate) const fn is_made(&self) -> bool {
+        self.best > 0.0
+    }
+}
+
 impl Explorer<'_> {
     /// The lines of a prepared position, the most probable first. `place` is its number.
     pub(crate) fn lines(&self, prepared: &Prepared<'_>, place: usize) -> Vec<KnownLine> {
@@ -115,7 +123,7 @@ impl Explorer<'_> {
         for known in lines.iter_mut() {
             self.coarse_pots(prepared, known)?;
         }
-        for known in lines.iter_mut().filter(|known| known.best > 0.0) {
+        for known in lines.iter_mut().filter(|known| known.is_made()) {
             for speed in 0..SPEEDS.len() {
                 for height in 0..HEIGHTS.len() {
                     for side in 0..SIDES.len() {
@@ -183,7 +191,7 @@ impl Explorer<'_> {
         let best = lines.iter().map(|known| known.best).fold(0.0, f64::max);
         let weights: Vec<f64> = lines
             .iter()
-            .map(|known| if known.best > 0.0 { exp((known.best - best) / SPREAD) } else { 0.0 })
+            .map(|known| if known.is_made() { exp((known.best - best) / SPREAD) } else { 0.0 })
             .collect();
         let all: f64 = weights.iter().sum();
         let mut index = first;
@@ -242,6 +250,13 @@ impl Explorer<'_> {
         let call = call_of(self.turn, line.first, Some((line.object, pocket)));
         let (value, is_legal) = self.ruled(prepared, call)?;
         if !is_legal {
+            return Ok(());
+        }
+        if self.measures_windows {
+            let (pot, kind) = ((line.object, pocket), PlayKind::Pot(line.kind));
+            let aim = Aim { pot, call, kind, line: Some(line) };
+            let prior = self.center((prepared, known.place), aimed.strike, aim)?;
+            known.best = known.best.max(prior.unwrap_or_default());
             return Ok(());
         }
         let missed = match known.missed[nearest_speed(speed)] {

@@ -1,4 +1,5 @@
-//! The race between candidates with common errors: all are played with the same drawn errors.
+//! The race between candidates with common errors: all are played with the same errors, which are
+//! spread evenly.
 //!
 //! By default it is sequential halving (Karnin, Koren & Somekh 2013): heats of equal cost, each of which
 //! drops the worse half. The alternative is optimal computing budget allocation (Chen, Lin, Yücesan &
@@ -12,6 +13,7 @@ use carom::runner::Runner;
 use carom_rules::{Frame, Request, Seat};
 
 use super::candidate::{Candidate, PlayedVariant};
+use super::even_errors::EvenErrors;
 use crate::player::Situation;
 use crate::settings::Allocation;
 use crate::value::{Position, Value};
@@ -39,7 +41,7 @@ pub(crate) struct Race<'a> {
     pub(crate) prepared: &'a [Prepared<'a>],
     pub(crate) seat: Seat,
     pub(crate) runner: &'a Runner,
-    /// Whether all candidates have the same drawn errors.
+    /// Whether all candidates have the same errors.
     pub(crate) common_errors: bool,
     pub(crate) allocation: Allocation,
 }
@@ -162,12 +164,17 @@ impl Race<'_> {
     ) -> Result<Vec<PlayedVariant>, Error> {
         let prepared = &self.prepared[candidate.place];
         let (errors, struck) = (self.errors_of(candidate), prepared.struck_ball());
-        let cue = prepared.turn().cue;
+        let (cue, even) = (prepared.turn().cue, EvenErrors::new(errors.seed));
         let mut samples = Vec::with_capacity(CHUNK as usize);
         for index in indices {
             let meant = &candidate.play.strike;
-            let executed = errors.noise.draw(meant, &struck, errors.seed, index);
-            sampler.simulate_variant(prepared, meant, &errors, index)?;
+            // Stated chances are counted with drawn errors.
+            let executed = if index < FRESH {
+                errors.noise.apply(meant, &struck, even.deviates(index))
+            } else {
+                errors.noise.draw(meant, &struck, errors.seed, index)
+            };
+            sampler.simulate_executed(prepared, &executed, &errors, index)?;
             let ruling = sampler.rule(prepared, candidate.play.call, successor)?;
             let foul = !ruling.is_legal();
             let position = Position { frame: successor, noise: &self.situation.noise };

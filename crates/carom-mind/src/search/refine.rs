@@ -8,7 +8,7 @@ use carom_plan::Prepared;
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
 use super::pots::{KnownLine, largest_offset};
-use super::race::keeps_turn;
+use super::windows::Aim;
 
 /// Steps of the first refinement: factor of the speed, and change of the tip offset (ball radii).
 /// Every second further refinement halves them.
@@ -81,6 +81,10 @@ impl Explorer<'_> {
                 self.pot(prepared, known, (strike.speed, [side, height]))
             }
             (PlayKind::Pot(_) | PlayKind::PushOut, _) => Ok(()),
+            (PlayKind::Indirect, _) => {
+                let Some(aim) = Aim::of(candidate) else { return Ok(()) };
+                self.find_again((prepared, candidate.place), Self::raised(prepared, strike), aim)
+            }
             _ => {
                 let azimuth = meant.azimuth + TURN * aside;
                 let strike = Strike { azimuth, side: meant.side, ..strike };
@@ -102,8 +106,7 @@ impl Explorer<'_> {
             return Ok(());
         }
         let (value, is_legal) = self.ruled(prepared, call)?;
-        let scores = keeps_turn(&self.successor, self.seat());
-        if is_legal && (scores || candidate.kind != PlayKind::Indirect) {
+        if is_legal {
             let prior = value.min(candidate.mean());
             self.keep(
                 strike,

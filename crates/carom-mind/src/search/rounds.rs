@@ -1,4 +1,4 @@
-//! The rounds of a search: each has twice the simulations of the one before, and starts from what
+//! The rounds of a search: each has 1.6 times the simulations of the one before, and starts from what
 //! that one has found.
 
 use carom::Error;
@@ -12,6 +12,7 @@ use super::pots::KnownLine;
 use super::race::Race;
 use super::replies::Replies;
 use super::shift::{deviations, uphill};
+use super::windows::direct_pots;
 use crate::breaks::BreakShot;
 use crate::player::{Budget, Situation, Spent};
 use crate::settings::{SearchMethod, SearchSettings};
@@ -40,7 +41,7 @@ const UNTRIED: f64 = 0.3;
 /// Shares of a further round's exploration for neighbours of the best plays (of what is left then), and for any
 /// hits of a ball on; the rest goes to further strikes on the lines of pots.
 const NEAR: f64 = 0.4;
-const HITS: f64 = 0.25;
+const HITS: f64 = 0.65;
 /// The first round has at least this part of the simulations, up to a limit: only the first one tries whole
 /// lattices. Budgets above [`LIMITED`] are those of a clock, which may end soon.
 const FIRST_SHARE: u64 = 10;
@@ -51,6 +52,8 @@ const LIMITED: u64 = 1 << 40;
 /// of the first one.
 const MORE_PLAYS: u64 = 3;
 const OPENING: u64 = 5;
+/// Factor of the simulations from one round to the next.
+const GROWTH: f64 = 1.6;
 /// Finalists that are moved uphill.
 const SHIFTED: usize = 4;
 
@@ -203,6 +206,9 @@ impl Rounds {
             if settings.shift && !in_tree {
                 shift(&mut self.candidates, &race);
             }
+            explorer.measures_windows = true;
+            let made = self.lines.iter().filter(|known| known.is_made());
+            explorer.direct_pots = direct_pots(made.map(|known| &known.line), &prepared[0]);
             let refining = settings.refining * self.size as f64;
             let round = self.races - 1;
             explorer.most = (UNTRIED * refining) as u64;
@@ -239,7 +245,7 @@ impl Rounds {
         self.races += 1;
         let left = self.racing.saturating_sub(self.spent.simulations);
         self.is_complete = is_last || left == 0;
-        self.size = round_size(2 * self.size, left);
+        self.size = round_size((GROWTH * self.size as f64) as u64, left);
         Ok(true)
     }
 
