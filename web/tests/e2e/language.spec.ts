@@ -49,9 +49,7 @@ const visible = (page: Page) =>
       cut: elements
         .filter(
           (element) =>
-            !element.matches(
-              ".unseen, .brand, .power-speed, .timeline .said, svg *, select, option, textarea",
-            ) &&
+            !element.matches(".unseen, .brand, svg *, select, option, textarea") &&
             [...element.childNodes].some(
               ({ nodeType, textContent }) => nodeType === Node.TEXT_NODE && textContent?.trim(),
             ) &&
