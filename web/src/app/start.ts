@@ -65,7 +65,7 @@ function fromEmbedded(engine: Engine, first: Document, json: string, plays: bool
     };
   } catch (error) {
     if (!(error instanceof CaromError || error instanceof SyntaxError)) console.error(error);
-    return refusing(first, cannotOpen(error));
+    return refusing(first, cannotOpen(error, json));
   }
 }
 

@@ -85,6 +85,10 @@ for (const viewport of SIZES) {
     const before = await page.evaluate(() => window.carom!.store.document);
     await page.locator("#drill-spot").click();
     await page.getByRole("button", { name: "At a real table" }).click();
+    // Seen: the hint touched the diagram below it.
+    const hint = (await page.locator("#panel-train .hint").first().boundingBox())!;
+    const picture = (await page.locator("#panel-train .diagram").boundingBox())!;
+    expect(picture.y - hint.y - hint.height).toBeGreaterThanOrEqual(8);
     const tap = (name: string) => page.getByRole("button", { name, exact: true }).click();
     for (let k = 0; k < 9; k += 1) await tap(k % 3 === 0 ? "Made" : "Missed");
     await tap("Take back the last one");

@@ -50,7 +50,8 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
   const levelRow = labelled(t("lines.level"), level);
   const own = h("p", { class: "hint" }, t("lines.own-errors"));
   root.append(
-    h("div", { class: "pair halves" }, rulesRow, levelRow),
+    rulesRow,
+    levelRow,
     own,
     h("h2", {}, t("lines.title")),
     list,

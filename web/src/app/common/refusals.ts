@@ -1,12 +1,14 @@
 /**
  * What is wrong, as a sentence for players.
  *
- * The engine's messages name keys of the shot file, in English. The common ones are recognised here and
- * replaced; the others are shown as they are, since they have details that only the engine has.
+ * The engine's messages name keys of the shot file, in English. Those of shots that are aimed and played are
+ * replaced here. The others are faults of files and links: their place and kind become a sentence, and the
+ * engine's words follow it.
  */
 
 import { CaromError, type PocketName, type RailName } from "../../engine/index.ts";
 import { decimal, named, type PlainKey, sentence, t } from "../words/translate.ts";
+import { ballAt, type Balls, faultText, withDetail } from "./file-faults.ts";
 import { nameOf } from "./parameter-names.ts";
 import { ballName, lengthText, obstructionBy, pocketName, railName } from "./words.ts";
 
@@ -19,8 +21,13 @@ export interface Refused {
   readonly place: string;
 }
 
-type Balls = readonly { readonly id: string }[];
-type Rule = readonly [pattern: RegExp, text: (found: RegExpExecArray, ball: string) => string];
+type Rule = readonly [
+  pattern: RegExp,
+  text: (found: RegExpExecArray, ball: string) => string | null,
+];
+
+/** The largest number that is written in a sentence. */
+const LARGEST = 1e9;
 
 /** Patterns of the engine's messages, in the crates `carom` and `carom-rules`. */
 const RULES: readonly Rule[] = [
@@ -56,15 +63,15 @@ const RULES: readonly Rule[] = [
       obstructionBy(id ?? rail ?? "", least === undefined ? null : Number(least)),
   ],
   [
-    /^(noise\.(\w+)): \S+ is out of range/,
-    ([whole, , key]) => {
+    /^noise\.(\w+): \S+ is out of range/,
+    ([, key]) => {
       const name = named("sigma", key!);
-      return name === null ? whole : t("error.noise", { name });
+      return name === null ? null : t("error.noise", { name });
     },
   ],
   [
     /^([\w.[\]]+): (\S+) is out of range; write (.+)$/,
-    ([whole, place, value, wanted]) => outOfRange(place!, Number(value), wanted!) ?? whole,
+    ([, place, value, wanted]) => outOfRange(place!, Number(value), wanted!),
   ],
   [/^max_events: /, () => t("error.too-many-events")],
   ...sentences([
@@ -90,14 +97,19 @@ function sentences(rules: readonly (readonly [RegExp, PlainKey])[]): Rule[] {
 
 /** The refusal as a sentence. `balls` are those of the refused shot. */
 export function refusalText({ message, place }: Refused, balls: Balls = []): string {
-  const index = /^balls\[(\d+)\]/.exec(place)?.[1];
-  const id = index === undefined ? undefined : balls[Number(index)]?.id;
-  const ball = id === undefined ? t("error.a-ball") : ballName(id);
+  return known({ message, place }, balls) ?? withDetail(faultText(message, place, balls), message);
+}
+
+/** The sentence for an error that players cause; null for another one. */
+function known({ message, place }: Refused, balls: Balls): string | null {
+  const ball = ballAt(place, balls) ?? t("error.a-ball");
   for (const [pattern, text] of RULES) {
     const found = pattern.exec(message);
-    if (found) return text(found, ball);
+    if (!found) continue;
+    const said = text(found, ball);
+    if (said !== null) return said;
   }
-  return t("error.other", { message });
+  return null;
 }
 
 /** Any error as text: a refusal for players, or type and message of another error. */
@@ -105,6 +117,13 @@ export function errorText(error: unknown, balls: Balls = []): string {
   if (error instanceof PageError) return error.message;
   if (error instanceof CaromError) return refusalText(error, balls);
   return error instanceof Error ? `${error.name}: ${error.message}` : String(error);
+}
+
+/** As `errorText`, for files and links: those who write them by hand always get the engine's words, too. */
+export function detailedText(error: unknown, balls: Balls = []): string {
+  const text = errorText(error, balls);
+  const isOurs = error instanceof PageError || !(error instanceof CaromError);
+  return isOurs || text.includes(error.message) ? text : withDetail(text, error.message);
 }
 
 /** Most overlaps are below a millimetre, so they have a decimal. */
@@ -116,7 +135,11 @@ function depthText(metres: number): string {
 function outOfRange(place: string, value: number, wanted: string): string | null {
   const name = nameOf(place);
   const range = rangeText(wanted);
-  return name === null || range === null ? null : t("error.range", { name, value, range });
+  // Such a number has hundreds of digits.
+  const isLong = Math.abs(value) > LARGEST;
+  return name === null || range === null || isLong
+    ? null
+    : t("error.range", { name, value, range });
 }
 
 function rangeText(wanted: string): string | null {

@@ -2,7 +2,7 @@
 
 import { CaromError, type BallEntry, type Engine, type Noise } from "../../engine/index.ts";
 import type { ShotFile, StrikeEntry, Trace } from "../../engine/index.ts";
-import { errorText, PageError } from "../common/refusals.ts";
+import { detailedText, PageError } from "../common/refusals.ts";
 import type { AimedShot, Document } from "./document.ts";
 import { t } from "../words/translate.ts";
 
@@ -63,10 +63,28 @@ function formatOf(json: string): string | undefined {
   throw new PageError(t(isOurs ? "error.other-version" : "error.not-json"), "format");
 }
 
-/** Why a file cannot be opened, as a sentence. */
-export function cannotOpen(error: unknown): string {
-  const why = error instanceof SyntaxError ? t("error.not-json") : errorText(error);
+/** Why a file with this text cannot be opened, as a sentence. */
+export function cannotOpen(error: unknown, text: string): string {
+  const why =
+    error instanceof SyntaxError ? t("error.not-json") : detailedText(error, ballsIn(text));
   return t("error.file", { why });
+}
+
+/** The balls in a text that may be a shot or a trace; none if it is neither. */
+function ballsIn(text: string): readonly { readonly id?: unknown }[] {
+  try {
+    const file = JSON.parse(text) as { readonly shot?: unknown; readonly balls?: unknown } | null;
+    const { balls } = (file?.shot ?? file) as { readonly balls?: unknown };
+    return ballsOf(balls);
+  } catch {
+    return [];
+  }
+}
+
+/** Entries of balls that the engine has not checked. */
+export function ballsOf(balls: unknown): readonly { readonly id?: unknown }[] {
+  if (!Array.isArray(balls)) return [];
+  return balls.map((ball: unknown) => (typeof ball === "object" && ball !== null ? ball : {}));
 }
 
 /** The balls of a file at their first positions, at rest. */

@@ -13,7 +13,7 @@
 
 import type { BallEntry, Engine, ShotFile, StrikeEntry } from "../../engine/index.ts";
 import { PageError } from "../common/refusals.ts";
-import { atOnce, type Slices } from "../common/slices.ts";
+import type { Slices } from "../common/slices.ts";
 import { t } from "../words/translate.ts";
 import type { AimedShot } from "./aimed-shot.ts";
 import { STRIKE_NUMBERS } from "./strike-angles.ts";
@@ -40,9 +40,17 @@ export function treeToText(tree: Tree): string {
 
 /** The tree with dated names of presets, so that its text keeps their values. */
 export function datedTree(engine: Pick<Engine, "withDatedNames">, tree: Tree): Tree {
+  // Hundreds of first shots can have one layout, for which the engine is asked once.
+  const known = new Map<string, AimedShot>();
+  const datedShot = (shot: AimedShot): AimedShot => {
+    const layout = JSON.stringify({ ...shot, strike: undefined });
+    const found = known.get(layout) ?? engine.withDatedNames(shot);
+    known.set(layout, found);
+    return { ...found, strike: shot.strike };
+  };
   // Later shots have the table of the first one.
   const dated = (node: TreeNode) =>
-    node.parent === null ? { ...node, shot: engine.withDatedNames(node.shot) } : node;
+    node.parent === null ? { ...node, shot: datedShot(node.shot) } : node;
   return { ...tree, nodes: tree.nodes.map(dated) };
 }
 
@@ -87,15 +95,10 @@ export interface TreeEngine {
 }
 
 /**
- * The tree of a text.
+ * The tree of a text; a slice reads one shot.
  *
  * @throws PageError that names the line, and CaromError for a shot that the engine refuses.
  */
-export function treeFromText(text: string, engine: TreeEngine): Tree {
-  return atOnce(treeReading(text, engine));
-}
-
-/** As `treeFromText`; a slice reads one shot. */
 export function treeReading(text: string, engine: TreeEngine): Slices<Tree> {
   return new Reader(text, engine).read();
 }

@@ -152,7 +152,7 @@ function mountSheet(root: HTMLElement, store: Store, context: Context): void {
         class: "button plain again",
         "aria-label": t("study.open-move", { number: index + 1 }),
         title: t("study.open-move", { number: index + 1 }),
-        onclick: () => openStudy(store, context.engine, index),
+        onclick: () => void openStudy(store, context.engine, index),
       },
       icon(BRANCH_ICON),
     );

@@ -5,27 +5,37 @@
 
 import { CaromError, type Engine } from "../../engine/index.ts";
 import { errorText, PageError } from "../common/refusals.ts";
+import { inSlicesUnlessReplaced, type Slices } from "../common/slices.ts";
 import { treeEngine } from "../document/after.ts";
 import type { AimedShot, Document, Study } from "../document/document.ts";
 import { aimed } from "../document/file.ts";
 import type { Game, Variations } from "../document/game.ts";
 import type { Store } from "../document/store.ts";
 import { childrenOf, NO_TREE, type Tree, type TreeNode, withShot } from "../document/tree.ts";
-import { datedTree, treeFromText, treeToText } from "../document/tree-text.ts";
+import { datedTree, treeReading, treeToText } from "../document/tree-text.ts";
 import { progressOf } from "./progress.ts";
 import { t } from "../words/translate.ts";
 
 /**
- * Opens the position before a shot of the game, with its variations.
+ * Opens the position before a shot of the game, with its variations. Hundreds of them take longer than a
+ * picture, so they are read in slices; nothing opens if the game has changed meanwhile.
  *
  * @param aim A better shot from there; left out: the one that was played.
+ * @returns Whether it is open.
  */
-export function openStudy(store: Store, engine: Engine, index: number, aim?: AimedShot): boolean {
-  const { game, shot: now, tree: earlier } = store.document;
+export async function openStudy(
+  store: Store,
+  engine: Engine,
+  index: number,
+  aim?: AimedShot,
+): Promise<boolean> {
+  const { game } = store.document;
   if (!game) return false;
   try {
     const played = playedShot(engine, game, index);
-    const tree = variationsOf(engine, game, index, played);
+    const tree = await inSlicesUnlessReplaced(variationsOf(engine, game, index, played));
+    const { shot: now, tree: earlier } = store.document;
+    if (!tree || store.document.game !== game) return false;
     const free = withoutCling(aim ?? played);
     const study = { game, move: index, shot: now, tree: earlier };
     return store.apply({ game: null, shot: free, tree, study }, t("change.open-position"));
@@ -98,9 +108,9 @@ function playedShot(engine: Engine, game: Game, index: number): AimedShot {
 }
 
 /** The tree of a move, at the shot that was played. */
-function variationsOf(engine: Engine, game: Game, index: number, played: AimedShot): Tree {
+function* variationsOf(engine: Engine, game: Game, index: number, played: AimedShot): Slices<Tree> {
   const text = game.variations?.[index];
-  const tree = text === undefined ? NO_TREE : treeFromText(text, treeEngine(engine));
+  const tree = text === undefined ? NO_TREE : yield* treeReading(text, treeEngine(engine));
   const node = childrenOf(tree, null).find(({ shot }) => isSame(shot, played));
   if (node) return { ...tree, at: node.id };
   return withShot({ ...tree, at: null }, played, treeEngine(engine).endOf);

@@ -2,10 +2,10 @@
 
 import { CaromError, type Engine, type Shot } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
-import { PageError } from "../common/refusals.ts";
+import { detailedText, PageError } from "../common/refusals.ts";
 import { inSlicesUnlessReplaced, type Slices } from "../common/slices.ts";
 import type { Document, View } from "../document/document.ts";
-import { aimed } from "../document/file.ts";
+import { aimed, ballsOf } from "../document/file.ts";
 import { treeEngine } from "../document/after.ts";
 import type { Tree } from "../document/tree.ts";
 import { datedTree, treeReading } from "../document/tree-text.ts";
@@ -49,12 +49,14 @@ export function readAddress(engine: Engine): Slices<LinkContents | null> {
  * @throws {LinkError} The link is damaged, of another version, or refused by the engine.
  */
 export function* readLink(engine: Engine, fragment: string): Slices<LinkContents | null> {
+  let state: LinkState | null = null;
   try {
-    const state = stateFromFragment(fragment);
+    state = stateFromFragment(fragment);
     return state && (yield* checked(engine, state));
   } catch (error) {
     if (!(error instanceof CaromError)) throw error;
-    throw new LinkError(t("link.refused", { why: error.message }), { cause: error });
+    const why = detailedText(error, ballsOf(state?.shot.balls));
+    throw new LinkError(t("link.refused", { why }), { cause: error });
   }
 }
 

@@ -60,7 +60,7 @@ async function open(store: Store, engine: Engine, text: string): Promise<boolean
     if (opened && trace) replay(store, trace, 0, false);
     return opened;
   } catch (error) {
-    store.refuse(cannotOpen(error));
+    store.refuse(cannotOpen(error, text));
     return false;
   }
 }

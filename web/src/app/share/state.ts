@@ -9,6 +9,7 @@ import { LONGEST_RACE } from "../game/match/race.ts";
 import { fromFragment, isLink, LinkError, toFragment } from "./link.ts";
 import type { Tree } from "../document/tree.ts";
 import { treeToText } from "../document/tree-text.ts";
+import { refusalText } from "../common/refusals.ts";
 import { t } from "../words/translate.ts";
 
 /** The state in a link. Its structure is checked; shot, noise and game still need the engine's check. */
@@ -107,8 +108,8 @@ export function stateFromFragment(fragment: string): LinkState | null {
 /** A part of a link that cannot be read. */
 function broken(place: string, found: unknown, remedy: string): LinkError {
   const value = found === undefined ? "nothing" : JSON.stringify(found);
-  // The details are for the programmer who made the link.
-  return new LinkError(t("link.refused", { why: `${place}: found ${value}; ${remedy}` }));
+  const message = `${place}: found ${value}; ${remedy}`;
+  return new LinkError(t("link.refused", { why: refusalText({ message, place }) }));
 }
 
 function noiseOf(data: unknown): Noise | null {

@@ -3,7 +3,7 @@
 import type { Engine, Point } from "../../engine/index.ts";
 import type { Area as MarkedArea } from "../../viewer/index.ts";
 import { arc } from "../common/arc.ts";
-import { goalPockets, isWhole, targetsOf } from "./diagram.ts";
+import { goalPockets, isWhole, targetsOf } from "./marks.ts";
 import type { Setting } from "./layout.ts";
 import { clothOf, type Region, regionOf } from "./places.ts";
 

@@ -12,10 +12,17 @@ import {
   without,
   withShot,
 } from "../../../src/app/document/tree.ts";
-import { isTreeText, treeFromText, treeToText } from "../../../src/app/document/tree-text.ts";
+import {
+  datedTree,
+  isTreeText,
+  treeReading,
+  treeToText,
+} from "../../../src/app/document/tree-text.ts";
+import { atOnce } from "../../../src/app/common/slices.ts";
 
 const engine = await load();
 const of = treeEngine(engine);
+const treeFromText = (text: string, by: typeof of): Tree => atOnce(treeReading(text, by));
 
 const FIRST: AimedShot = {
   format: "carom-shot/1",
@@ -125,4 +132,21 @@ describe("a tree as text", () => {
     expect(read).toThrow(CaromError);
     expect(read).toThrow(message);
   });
+});
+
+test("the engine is asked once for the dated names of shots from one layout", () => {
+  // Seen: hundreds of first shots, each with its own call, in one task of the page.
+  const many = played(...Array.from({ length: 40 }, (_, k) => again(FIRST, { speed: 1 + k / 40 })));
+  let calls = 0;
+  const counting = {
+    withDatedNames: <T extends Pick<AimedShot, "table" | "physics">>(file: T): T => {
+      calls += 1;
+      return engine.withDatedNames(file);
+    },
+  };
+  const dated = datedTree(counting, many);
+  expect(calls).toBe(1);
+  expect(dated.nodes.map(({ shot }) => shot)).toEqual(
+    many.nodes.map(({ shot }) => engine.withDatedNames(shot)),
+  );
 });

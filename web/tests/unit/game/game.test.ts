@@ -191,10 +191,10 @@ describe("a game", () => {
     expect(startGame(store, context, setup("snooker", { options: { table: "carom-match" } }))).toBe(
       false,
     );
-    expect(refusal(store)).toMatch(/^table/);
+    expect(refusal(store)).toMatch(/^The table: this page does not know “carom-match”/);
     const moves = [{ choice: "rebreak" as const }];
     expect(() => progressOf(engine, { ...newGame(setup("nine-ball")), moves })).toThrow(
-      /^Move 1 of this game: choice/,
+      /^Move 1 of this game: The answer: .*\(choice/,
     );
   });
 });

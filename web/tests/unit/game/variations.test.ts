@@ -40,9 +40,9 @@ function tries(store: Store, azimuth_deg: number): void {
 }
 
 /** The game with two variations of the first move, one of which goes on, and comments. */
-function analysed(): Store {
+async function analysed(): Promise<Store> {
   const store = played();
-  openStudy(store, engine, 0);
+  await openStudy(store, engine, 0);
   const { tree } = store.document;
   store.apply({ tree: withComment(tree!, tree!.at!, "too hard}") }, "comment");
   tries(store, 95);
@@ -55,11 +55,11 @@ function analysed(): Store {
   return store;
 }
 
-test("the position before a shot opens with the shot that was played", () => {
+test("the position before a shot opens with the shot that was played", async () => {
   const store = played();
   const { game } = store.document;
   const hash = progressOf(engine, game!).trace!.hash;
-  expect(openStudy(store, engine, 1)).toBe(true);
+  expect(await openStudy(store, engine, 1)).toBe(true);
   const { study, tree, shot, game: none } = store.document;
   expect([none, study!.move, study!.game]).toEqual([null, 1, game]);
   expect(tree!.nodes.length).toBe(1);
@@ -67,11 +67,11 @@ test("the position before a shot opens with the shot that was played", () => {
   expect(engine.shot(shot).simulate().hash).toBe(hash);
 });
 
-test("the game comes back as it was, with the aim and the earlier shots of the analysis", () => {
+test("the game comes back as it was, with the aim and the earlier shots of the analysis", async () => {
   const store = played();
   store.strike({ speed: 1.25 }, "aim");
   const before = store.document;
-  openStudy(store, engine, 0);
+  await openStudy(store, engine, 0);
   closeStudy(store, engine);
   expect(store.document.game).toEqual({ ...before.game, variations: {} });
   expect(store.document.game!.moves).toBe(before.game!.moves);
@@ -79,11 +79,11 @@ test("the game comes back as it was, with the aim and the earlier shots of the a
   expect(store.document.study).toBeUndefined();
 });
 
-test("shots that are tried are variations of the move, and open again with it", () => {
-  const store = analysed();
+test("shots that are tried are variations of the move, and open again with it", async () => {
+  const store = await analysed();
   const text = store.document.game!.variations![0]!;
   expect(countVariations(text)).toBe(3);
-  openStudy(store, engine, 0);
+  await openStudy(store, engine, 0);
   const { tree, study } = store.document;
   expect(tree!.nodes.map(({ comment }) => comment)).toEqual(["too hard}", "", "", ""]);
   const azimuths = tree!.nodes.map(({ shot }) => shot.strike.azimuth_deg);
@@ -94,10 +94,10 @@ test("shots that are tried are variations of the move, and open again with it", 
   expect(store.document.game!.variations![0]).toBe(text);
 });
 
-test("undo goes back through the analysis to the game", () => {
+test("undo goes back through the analysis to the game", async () => {
   const store = played();
   const { game } = store.document;
-  openStudy(store, engine, 0);
+  await openStudy(store, engine, 0);
   tries(store, 95);
   closeStudy(store, engine);
   expect(store.document.game!.variations![0]).toBeDefined();
@@ -110,8 +110,8 @@ test("undo goes back through the analysis to the game", () => {
   expect(store.document.game).toBe(game);
 });
 
-test("a record has the variations, replays to the bit, and opens with them", () => {
-  const { game } = analysed().document;
+test("a record has the variations, replays to the bit, and opens with them", async () => {
+  const { game } = (await analysed()).document;
   const record = JSON.parse(JSON.stringify(recordOf(engine, game!))) as FrameRecord;
   expect(record.moves[0]).toHaveProperty("variations", game!.variations![0]);
   const replayed = engine.replay(record);
@@ -122,8 +122,8 @@ test("a record has the variations, replays to the bit, and opens with them", () 
   expect(recordOf(engine, back)).toEqual(record);
 });
 
-test("a record with variations that cannot be read is refused with the move's number", () => {
-  const record = recordOf(engine, analysed().document.game!);
+test("a record with variations that cannot be read is refused with the move's number", async () => {
+  const record = recordOf(engine, (await analysed()).document.game!);
   const [first, second] = record.moves as [FrameRecord["moves"][0], FrameRecord["moves"][0]];
   for (const variations of ["[Carom", 3]) {
     const odd = { ...record, moves: [first, { ...second, variations }] } as FrameRecord;
@@ -132,11 +132,11 @@ test("a record with variations that cannot be read is refused with the move's nu
   }
 });
 
-test("a link has the variations, and an analysis that is under way", () => {
-  const store = analysed();
+test("a link has the variations, and an analysis that is under way", async () => {
+  const store = await analysed();
   const link = () => atOnce(readLink(engine, linkText(store, engine)))!.document;
   expect(link().game!.variations).toEqual(store.document.game!.variations);
-  openStudy(store, engine, 1);
+  await openStudy(store, engine, 1);
   tries(store, 12);
   const { study, tree, game } = link();
   expect(game).toBeNull();
@@ -150,17 +150,17 @@ test("a link has the variations, and an analysis that is under way", () => {
   expect(store.document.game!.moves.length).toBe(2);
 });
 
-test("a game that is opened ends the analysis of another one", () => {
+test("a game that is opened ends the analysis of another one", async () => {
   const store = played();
   const { game } = store.document;
-  openStudy(store, engine, 0);
+  await openStudy(store, engine, 0);
   store.apply({ game, shot: store.document.study!.shot }, "open");
   expect(store.document.study).toBeUndefined();
 });
 
-test("one undo takes back one shot of an analysis", () => {
+test("one undo takes back one shot of an analysis", async () => {
   const store = played();
-  openStudy(store, engine, 0);
+  await openStudy(store, engine, 0);
   const before = store.document;
   shoot(store, context); // the played shot: it is in the tree already
   takeItFromHere(store, context);
@@ -176,4 +176,14 @@ test("one undo takes back one shot of an analysis", () => {
   store.redo();
   expect(store.document.tree!.nodes.length).toBe(2);
   expect(store.document.shot.balls).not.toEqual(aimed.shot.balls);
+});
+
+test("the variations do not open once the game has gone on", async () => {
+  const store = await analysed();
+  const opening = openStudy(store, engine, 0);
+  store.strike({ speed: 4, azimuth_deg: 45 }, "aim");
+  playShot(store, context, () => undefined);
+  const { game } = store.document;
+  expect(await opening).toBe(false);
+  expect(store.document.game).toBe(game);
 });

@@ -104,7 +104,9 @@ describe("requesting variants from a worker", () => {
   });
 
   test("passes on the engine's refusal", () => {
-    worker.say({ kind: "refused", generation: worker.generation, message: "no strike" });
-    expect(refused).toStrictEqual(["no strike"]);
+    worker.say({ kind: "refused", generation: worker.generation, message: "a miscue: so far" });
+    expect(refused).toStrictEqual([
+      "So far from the centre the tip slips off, which is a miscue: move it into the dashed circle.",
+    ]);
   });
 });

@@ -83,7 +83,7 @@ export function mountCostliest(root: HTMLElement, store: Store, context: Context
         "div",
         { class: "row" },
         button(t("costs.open"), () => {
-          openStudy(store, engine, index, aimed(engine.withDatedNames(position.file)));
+          void openStudy(store, engine, index, aimed(engine.withDatedNames(position.file)));
         }),
       ),
     );

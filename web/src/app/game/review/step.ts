@@ -38,7 +38,7 @@ export function mountStep(root: HTMLElement, store: Store, context: Context): vo
       class: "button",
       onclick: () => {
         const index = replayedMove(store, engine);
-        if (index !== null) openStudy(store, engine, index);
+        if (index !== null) void openStudy(store, engine, index);
       },
     },
     t("study.open"),

@@ -43,7 +43,8 @@ export function mountMatch(): {
   const root = h(
     "div",
     {},
-    h("div", { class: "pair halves" }, labelled(t("race.frames"), frames), breaksRow),
+    labelled(t("race.frames"), frames),
+    breaksRow,
     lagRow,
     labelled(t("clock.label"), clock),
     hint,

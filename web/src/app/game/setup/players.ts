@@ -50,7 +50,7 @@ export function mountPlayers(
   const names = rows.map(({ name, by }, player) =>
     h(
       "div",
-      { class: "pair halves" },
+      { class: "seat" },
       labelled(t("setup.player", { number: player + 1 }), name),
       labelled(t("setup.played-by"), by),
     ),

@@ -20,7 +20,7 @@ export const presets: Translation<typeof en.presets> = {
   "preset.bar-7ft": "Kneipentisch, 7 Fuß",
   "preset.showood-7ft": "Showood, 7 Fuß",
   "preset.snooker-12ft": "Snooker, 12 Fuß",
-  "preset.english-7ft": "Englisches Pool, 7 Fuß",
+  "preset.english-7ft": "Engl. Pool, 7 Fuß",
   "preset.carom-10ft": "Karambol, 10 Fuß",
   "preset.carom-9ft": "Karambol, 9 Fuß",
   "preset.dated": "{name}, {month}",

@@ -46,7 +46,7 @@ export const share: Translation<typeof en.share> = {
   "change.open-link": "Link öffnen",
 
   "link.refused":
-    "Dieser Link lässt sich nicht öffnen. Kopieren Sie ihn noch einmal von der Seite. ({why})",
+    "Dieser Link lässt sich nicht öffnen. Kopieren Sie ihn noch einmal von der Seite. {why}",
   "link.no-shot": "Dieser Link enthält keinen Stoß.",
   "link.version":
     "Dieser Link stammt von einer anderen Version der Seite (er hat Version {version}, diese Seite liest Version {own}): Öffnen Sie ihn mit jener Version.",

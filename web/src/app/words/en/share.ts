@@ -39,7 +39,7 @@ export const share = {
   "change.open-shot": "open a shot",
   "change.open-link": "open a link",
 
-  "link.refused": "This link cannot be opened. Copy it again from the page. ({why})",
+  "link.refused": "This link cannot be opened. Copy it again from the page. {why}",
   "link.no-shot": "This link contains no shot.",
   "link.version":
     "This link was made by another version of the page (the link has version {version}, this page reads version {own}): open it with that version of the page.",

@@ -40,7 +40,7 @@ export const share: Translation<typeof en.share> = {
   "change.open-shot": "打开击球文件",
   "change.open-link": "打开链接",
 
-  "link.refused": "无法打开这个链接。请从页面重新复制。（{why}）",
+  "link.refused": "无法打开这个链接。请从页面重新复制。{why}",
   "link.no-shot": "这个链接中没有击球。",
   "link.version":
     "这个链接由另一版本的页面生成（链接为版本 {version}，本页读取版本 {own}）：请用那个版本的页面打开。",
