@@ -7,13 +7,21 @@ use carom::math::{asin, atan2, sin_cos, sqrt};
 use carom::resolve::cue_ball::Strike;
 
 use super::candidate::PlayKind;
-use super::even_errors::STEPS;
 use super::explore::Explorer;
 use super::race::keeps_turn;
 use crate::scene::Scene;
 use crate::targets::call_of;
 use carom_plan::Prepared;
 
+/// The additive recurrence of Roberts (2018) in five dimensions: powers of 1/φ₅, where φ₅ is the
+/// real root of x⁶ = x + 1.
+const STEPS: [f64; 5] = [
+    0.880_737_461_877_619_6,
+    0.775_698_478_770_158_5,
+    0.683_186_709_165_853_8,
+    0.601_708_127_851_388_4,
+    0.529_946_888_950_219_6,
+];
 /// Share of the strikes that go to a cushion first, in any direction.
 const INDIRECT: f64 = 0.25;
 /// Least and greatest cue speed, m/s.

@@ -2,47 +2,84 @@
 //!
 //! The mean value of a play is an integral over five normal deviates. The first points of a sequence with
 //! low discrepancy come nearer to it than as many random ones (Niederreiter, *Random number generation and
-//! quasi-Monte Carlo methods*, 1992). The sequence is an additive recurrence; a random shift for every seed
-//! leaves each point with the distribution of [`carom::Noise::draw`].
+//! quasi-Monte Carlo methods*, 1992). The sequence is Sobol's (1967). A random shift of the digits for every
+//! seed leaves each point with the distribution of [`carom::Noise::draw`].
 
 use carom::math::{log, sqrt};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-/// The additive recurrence of Roberts (2018) in five dimensions: powers of 1/φ₅, where φ₅ is the
-/// real root of x⁶ = x + 1.
-pub(crate) const STEPS: [f64; 5] = [
-    0.880_737_461_877_619_6,
-    0.775_698_478_770_158_5,
-    0.683_186_709_165_853_8,
-    0.601_708_127_851_388_4,
-    0.529_946_888_950_219_6,
-];
+/// Binary digits of a point, and so of the number of points.
+const DIGITS: usize = 40;
+/// The primitive polynomials (degree, and inner coefficients as binary digits) and the first direction numbers
+/// of all dimensions but the first: the first rows of Joe & Kuo (2008), `new-joe-kuo-6`.
+const POLYNOMIALS: [(usize, u64, [u64; 3]); 4] =
+    [(1, 0, [1, 0, 0]), (2, 1, [1, 3, 0]), (3, 1, [1, 3, 1]), (3, 2, [1, 1, 1])];
+/// The direction numbers of the five dimensions.
+const DIRECTIONS: [[u64; DIGITS]; 5] = directions();
+/// Which dimension belongs to the speed, the azimuth, the elevation, the side and the height. The first are
+/// the most even, and the azimuth decides most shots.
+const DIMENSIONS: [usize; 5] = [1, 0, 4, 2, 3];
 /// Separates these random numbers from others of the same seed.
 const STREAM: u128 = 0x6576_656e;
-/// The smallest share of a distribution on either side of a point.
-const LEAST: f64 = 1e-12;
 
 /// The errors of one seed.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct EvenErrors {
-    shifts: [f64; 5],
+    shifts: [u64; 5],
 }
 
 impl EvenErrors {
     pub(crate) fn new(seed: u64) -> Self {
         let mut random = Pcg64::new(u128::from(seed), STREAM);
-        let mut unit = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
-        Self { shifts: core::array::from_fn(|_| unit()) }
+        Self { shifts: core::array::from_fn(|_| random.next_u64() >> (64 - DIGITS)) }
     }
 
-    /// The deviates of number `index`, for [`carom::Noise::apply`].
+    /// The deviates of number `index`, below 2⁴⁰, for [`carom::Noise::apply`].
     pub(crate) fn deviates(&self, index: u64) -> [f64; 5] {
-        core::array::from_fn(|k| {
-            let share = (self.shifts[k] + STEPS[k] * index as f64) % 1.0;
-            normal_quantile(share.clamp(LEAST, 1.0 - LEAST))
+        DIMENSIONS.map(|dimension| {
+            let used = DIRECTIONS[dimension].iter().enumerate();
+            let point = used
+                .filter(|(digit, _)| index >> digit & 1 == 1)
+                .fold(self.shifts[dimension], |point, (_, direction)| point ^ direction);
+            // The middle of the interval that the digits leave is never 0 or 1.
+            normal_quantile((point as f64 + 0.5) / (1_u64 << DIGITS) as f64)
         })
     }
+}
+
+/// Direction numbers by the recurrence of Bratley & Fox (1988), as whole numbers of [`DIGITS`] digits.
+const fn directions() -> [[u64; DIGITS]; 5] {
+    let mut all = [[0; DIGITS]; 5];
+    let mut k = 0;
+    while k < DIGITS {
+        all[0][k] = 1 << (DIGITS - 1 - k);
+        k += 1;
+    }
+    let mut dimension = 1;
+    while dimension < 5 {
+        let (degree, inner, first) = POLYNOMIALS[dimension - 1];
+        let mut k = 0;
+        while k < DIGITS {
+            all[dimension][k] = if k < degree {
+                first[k] << (DIGITS - 1 - k)
+            } else {
+                let mut number =
+                    all[dimension][k - degree] ^ (all[dimension][k - degree] >> degree);
+                let mut j = 1;
+                while j < degree {
+                    if inner >> (degree - 1 - j) & 1 == 1 {
+                        number ^= all[dimension][k - j];
+                    }
+                    j += 1;
+                }
+                number
+            };
+            k += 1;
+        }
+        dimension += 1;
+    }
+    all
 }
 
 /// The value below which a normal deviate lies with probability `share`, in (0, 1); its error is
@@ -151,19 +188,31 @@ mod tests {
                 let mean = all.iter().sum::<f64>() / 256.0;
                 let square = all.iter().map(|x| x * x).sum::<f64>() / 256.0;
                 // Random deviates have standard errors of 0.06 and 0.09.
-                assert!(mean.abs() < 0.02, "seed {seed}, {k}: {mean}");
-                assert!((square - 1.0).abs() < 0.06, "seed {seed}, {k}: {square}");
+                assert!(mean.abs() < 0.015, "seed {seed}, {k}: {mean}");
+                assert!((square - 1.0).abs() < 0.03, "seed {seed}, {k}: {square}");
             }
         }
     }
 
     #[test]
+    fn every_interval_of_a_sixteenth_has_one_of_sixteen_points() {
+        let mut shares = [[false; 16]; 5];
+        for index in 32..48 {
+            for (k, deviate) in EvenErrors::new(7).deviates(index).into_iter().enumerate() {
+                let share = 0.5 * libm::erfc(-deviate / SQRT_2);
+                shares[k][(16.0 * share) as usize] = true;
+            }
+        }
+        assert_eq!(shares, [[true; 16]; 5]);
+    }
+
+    #[test]
     fn the_even_errors_of_two_parameters_are_independent() {
         let errors = EvenErrors::new(3);
-        for (i, j) in [(0, 1), (0, 4), (1, 2), (2, 3), (3, 4)] {
+        for (i, j) in (0..5).flat_map(|i| (0..i).map(move |j| (i, j))) {
             let product = |index| errors.deviates(index)[i] * errors.deviates(index)[j];
             let covariance = (0..1024).map(product).sum::<f64>() / 1024.0;
-            assert!(covariance.abs() < 0.03, "{i} and {j}: {covariance}");
+            assert!(covariance.abs() < 0.01, "{i} and {j}: {covariance}");
         }
     }
 }
