@@ -159,6 +159,8 @@ for (const language of Object.keys(LANGUAGES) as Language[]) {
         await look(`set-up of ${rules}`);
       }
       await games.selectOption("nine-ball");
+      // Another rack could be won with the break.
+      await panel.getByLabel(text("setup.seed")).fill("7");
       await panel.getByLabel(text("lag.label")).check();
       await press("setup.start");
       await page.getByRole("dialog").filter({ visible: true }).waitFor();
@@ -177,6 +179,22 @@ for (const language of Object.keys(LANGUAGES) as Language[]) {
       await page.locator("#panel-game .record .again").first().click();
       await page.locator("#game-bar .step").waitFor();
       await look("review");
+    });
+
+    test(`no text of a won game is cut at ${size}: ${language}`, async ({ open }) => {
+      // Seen: the ruling of a break that pots the nine and two other balls.
+      const { page, look, press, enter, openAll } = await begin(open);
+      await enter("play");
+      await showTab(page, "game");
+      await openAll();
+      const panel = page.locator("#panel-game");
+      await panel.getByLabel(text("setup.seed")).fill("213");
+      await panel.getByLabel(text("setup.played-by")).nth(1).selectOption("");
+      await press("setup.start");
+      await press("aim.shoot");
+      const another = page.getByRole("button", { name: text("table.another"), exact: true });
+      await another.waitFor();
+      await look("won");
     });
 
     test(`no text of a game with calls is cut at ${size}: ${language}`, async ({ open }) => {
