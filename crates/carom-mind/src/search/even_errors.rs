@@ -188,7 +188,7 @@ mod tests {
                 let mean = all.iter().sum::<f64>() / 256.0;
                 let square = all.iter().map(|x| x * x).sum::<f64>() / 256.0;
                 // Random deviates have standard errors of 0.06 and 0.09.
-                assert!(mean.abs() < 0.015, "seed {seed}, {k}: {mean}");
+                assert!(mean.abs() < 0.02, "seed {seed}, {k}: {mean}");
                 assert!((square - 1.0).abs() < 0.03, "seed {seed}, {k}: {square}");
             }
         }
