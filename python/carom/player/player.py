@@ -28,8 +28,8 @@ class Player:
 
     A decision depends only on the frame, the errors of both players, the seed and the budget: it
     has the same bits for any number of threads, on every platform. The search works in rounds,
-    each with 1.6 times as many simulated shots as the one before. It ends when the budget is spent. A
-    clock ends it between two rounds, so a decision with ``time=`` depends on the machine;
+    each with 1.6 times as many simulated shots as the one before. It ends when the budget is
+    spent. A clock ends it between two rounds, so a decision with ``time=`` depends on the machine;
     ``rounds=`` with the number of rounds of such a decision repeats it.
 
     Ctrl-C ends the search after its present round, and the best play so far is returned, with
