@@ -154,3 +154,98 @@ pub(crate) fn direct_pots<'a>(
     let direct = lines.filter(|line| line.kind == LineKind::Direct);
     direct.map(|line| ((line.object, pockets[line.pocket].name), line.azimuth)).collect()
 }
+
+#[cfg(test)]
+mod tests {
+    use carom::Noise;
+    use carom::table::PocketName;
+    use carom_rules::{Frame, Options, Request, Rules};
+
+    use super::*;
+    use crate::player::Situation;
+    use crate::value::Markov;
+
+    /// A frame of nine-ball with these places of the cue ball and the nine.
+    fn lone_nine(cue: [f64; 2], nine: [f64; 2]) -> Frame {
+        let mut frame =
+            Frame::new(Rules::NineBall, Options::default(), None, None, 0).expect("a frame");
+        let mut balls = vec![None; frame.layout().len()];
+        (balls[0], balls[9]) = (Some(cue), Some(nine));
+        frame.resume_at(&balls, 0).expect("a layout");
+        frame
+    }
+
+    /// The candidates that `find` adds for a frame.
+    fn found(frame: &Frame, find: impl FnOnce(&mut Explorer<'_>, &Prepared<'_>)) -> Vec<Candidate> {
+        let Request::Shot(turn) = frame.request() else { panic!("another request") };
+        let situation = Situation::new(frame, Noise::olympiad(1.0), 1);
+        let value = Markov::default();
+        let mut explorer = Explorer::new(&situation, &value, turn, 1000);
+        let prepared = Prepared::new(frame, None).expect("a position");
+        find(&mut explorer, &prepared);
+        explorer.found
+    }
+
+    const AIM: Aim = Aim {
+        pot: (9, PocketName::TopRight),
+        call: Call::Nothing,
+        kind: PlayKind::Indirect,
+        line: None,
+    };
+
+    /// A straight shot: the nine lies on the line from the cue ball to the corner.
+    fn straight(turn: f64) -> (Frame, Strike) {
+        let frame = lone_nine([0.27, 1.54], [0.97, 2.24]);
+        let azimuth = core::f64::consts::FRAC_PI_4 + turn;
+        (frame, Strike { speed: 2.0, azimuth, elevation: 0.0, side: 0.0, height: 0.0 })
+    }
+
+    #[test]
+    fn a_strike_at_the_edge_moves_to_the_middle_of_its_window() {
+        let middles: Vec<Candidate> = [-0.0025, 0.0, 0.0025]
+            .into_iter()
+            .flat_map(|turn| {
+                let (frame, strike) = straight(turn);
+                found(&frame, |explorer, prepared| {
+                    let strike = Explorer::raised(prepared, strike);
+                    explorer.center((prepared, 0), strike, AIM).expect("simulations");
+                })
+            })
+            .collect();
+        assert_eq!(middles.len(), 3);
+        for middle in &middles {
+            let off = middle.play.strike.azimuth - middles[1].play.strike.azimuth;
+            assert!(off.abs() < 0.0015, "{off}");
+            // Most balls fall, and the game is won then.
+            assert!(middle.prior > 0.7 && middle.prior < 1.0, "{}", middle.prior);
+        }
+    }
+
+    #[test]
+    fn a_strike_beside_its_window_finds_it_again() {
+        let (frame, strike) = straight(0.009);
+        let all = found(&frame, |explorer, prepared| {
+            let strike = Explorer::raised(prepared, strike);
+            assert!(!explorer.makes(prepared, &strike, &AIM).expect("a simulation").0);
+            explorer
+                .find_again((prepared, 0), Explorer::raised(prepared, strike), AIM)
+                .expect("simulations");
+        });
+        assert_eq!(all.len(), 1);
+        assert!(all[0].play.strike.azimuth < strike.azimuth - 0.001);
+    }
+
+    #[test]
+    fn a_direct_line_makes_its_pot_in_its_direction_only() {
+        let (frame, _) = straight(0.0);
+        found(&frame, |explorer, _| {
+            explorer.direct_pots = vec![((9, PocketName::TopRight), 0.8)];
+            assert!(explorer.has_direct_line((9, PocketName::TopRight), 0.82));
+            assert!(
+                explorer.has_direct_line((9, PocketName::TopRight), 0.8 - core::f64::consts::TAU)
+            );
+            assert!(!explorer.has_direct_line((9, PocketName::TopRight), 0.84));
+            assert!(!explorer.has_direct_line((9, PocketName::TopLeft), 0.8));
+        });
+    }
+}
