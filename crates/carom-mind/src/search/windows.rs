@@ -193,16 +193,16 @@ mod tests {
         line: None,
     };
 
-    /// A straight shot: the nine lies on the line from the cue ball to the corner.
+    /// A straight draw shot: the nine lies on the line from the cue ball to the corner.
     fn straight(turn: f64) -> (Frame, Strike) {
         let frame = lone_nine([0.27, 1.54], [0.97, 2.24]);
         let azimuth = core::f64::consts::FRAC_PI_4 + turn;
-        (frame, Strike { speed: 2.0, azimuth, elevation: 0.0, side: 0.0, height: 0.0 })
+        (frame, Strike { speed: 3.0, azimuth, elevation: 0.0, side: 0.0, height: -0.3 })
     }
 
     #[test]
     fn a_strike_at_the_edge_moves_to_the_middle_of_its_window() {
-        let middles: Vec<Candidate> = [-0.0025, 0.0, 0.0025]
+        let middles: Vec<Candidate> = [-0.003, 0.0, 0.003]
             .into_iter()
             .flat_map(|turn| {
                 let (frame, strike) = straight(turn);
@@ -215,7 +215,7 @@ mod tests {
         assert_eq!(middles.len(), 3);
         for middle in &middles {
             let off = middle.play.strike.azimuth - middles[1].play.strike.azimuth;
-            assert!(off.abs() < 0.0015, "{off}");
+            assert!(off.abs() < 0.002, "{off}");
             // Most balls fall, and the game is won then.
             assert!(middle.prior > 0.7 && middle.prior < 1.0, "{}", middle.prior);
         }
