@@ -85,6 +85,11 @@ for (const viewport of SIZES) {
     const before = await page.evaluate(() => window.carom!.store.document);
     await page.locator("#drill-spot").click();
     await page.getByRole("button", { name: "At a real table" }).click();
+    // Seen: the buttons were below the edge of a phone.
+    for (const name of ["Made", "Missed"]) {
+      const box = (await page.getByRole("button", { name, exact: true }).boundingBox())!;
+      expect(box.y + box.height, name).toBeLessThanOrEqual(viewport.height);
+    }
     // Seen: the hint touched the diagram below it.
     const hint = (await page.locator("#panel-train .hint").first().boundingBox())!;
     const picture = (await page.locator("#panel-train .diagram").boundingBox())!;

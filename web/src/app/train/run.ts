@@ -43,10 +43,11 @@ function mountAttempt(
     h("p", { role: "status" }, scoreText(running)),
   );
   if (place === "table") {
+    // The buttons come first: they are used after every attempt, and must not be scrolled to.
     root.append(
+      taps(practice, setting),
       h("p", { class: "hint" }, t("train.at-table-hint")),
       diagram(context.engine, setting, { label, enlarged: ENLARGED }),
-      taps(practice, setting),
     );
   } else {
     root.append(
