@@ -75,8 +75,8 @@ describe("a thinker", () => {
     const rounds: Progress[] = [];
     const options = { simulations: 12_000, onProgress: (now: Progress) => rounds.push(now) };
     const decision = await (await thinker()).choose(RECORD, options);
-    expect(rounds.map((now) => now.rounds)).toEqual([1, 2, 3]);
-    expect(decision.rounds).toBe(3);
+    expect(rounds.map((now) => now.rounds)).toEqual([1, 2, 3, 4]);
+    expect(decision.rounds).toBe(4);
     expect(rounds.at(-1)!.play).toEqual(decision.play);
     expect(rounds.at(-1)!.simulations).toBeLessThan(decision.simulations);
     expect(decision.interrupted).toBe(false);

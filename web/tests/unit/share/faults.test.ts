@@ -198,7 +198,7 @@ describe("a fault that is likely", () => {
   const text = (changes: object) => JSON.stringify({ ...SHOT, ...changes });
   const [cue, three] = SHOT.balls;
   test.each([
-    ["not JSON", "{", "It is neither a shot nor a trace of carom."],
+    ["not JSON", "{", "It is not a shot, a trace, a game or an analysis of carom."],
     [
       "a place without numbers",
       text({ balls: [cue, { id: "3", position: ["a", 1] }] }),
