@@ -6,12 +6,14 @@ use carom::table::PocketName;
 use carom_rules::{BallIndex, Call, Frame, Play, Seat, Turn};
 
 use super::candidate::{Candidate, PlayKind};
-use super::windows::DirectPot;
 use crate::line::Line;
 use crate::player::Situation;
 use crate::targets::Targets;
 use crate::value::{Position, Value};
 use carom_plan::{Prepared, Sampler};
+
+/// A pot on a direct line, and its azimuth.
+pub(crate) type DirectPot = ((BallIndex, PocketName), f64);
 
 /// Finds candidates for one request.
 pub(crate) struct Explorer<'a> {

@@ -12,7 +12,7 @@ use carom::table::PocketName;
 use carom_rules::{BallIndex, Call};
 
 use super::candidate::{Candidate, PlayKind};
-use super::explore::Explorer;
+use super::explore::{DirectPot, Explorer};
 use super::race::keeps_turn;
 use crate::line::{Line, LineKind, direction_error};
 use carom_plan::Prepared;
@@ -45,9 +45,6 @@ impl Aim {
         pot.map(|pot| Self { pot, call: play.call, kind, line })
     }
 }
-
-/// A pot on a direct line, and its azimuth.
-pub(crate) type DirectPot = ((BallIndex, PocketName), f64);
 
 impl Explorer<'_> {
     /// Moves a strike that makes its pot to the middle of its window, and keeps it. Returns its
