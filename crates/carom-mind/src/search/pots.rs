@@ -9,7 +9,7 @@ use carom_rules::Call;
 
 use super::candidate::PlayKind;
 use super::explore::Explorer;
-use super::windows::PotAim;
+use super::windows::MeantPot;
 use crate::aim::aim;
 use crate::line::{self, Line, LineKind};
 use crate::scene::Scene;
@@ -254,7 +254,7 @@ impl Explorer<'_> {
         }
         if self.measures_windows {
             let (pot, kind) = ((line.object, pocket), PlayKind::Pot(line.kind));
-            let aim = PotAim { pot, call, kind, line: Some(line) };
+            let aim = MeantPot { pot, call, kind, line: Some(line) };
             let prior = self.center((prepared, known.place), aimed.strike, aim)?;
             known.best = known.best.max(prior.unwrap_or_default());
             return Ok(());

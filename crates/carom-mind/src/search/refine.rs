@@ -8,7 +8,7 @@ use carom_plan::Prepared;
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
 use super::pots::{KnownLine, largest_offset};
-use super::windows::PotAim;
+use super::windows::MeantPot;
 
 /// Steps of the first refinement: factor of the speed, and change of the tip offset (ball radii).
 /// Every second further refinement halves them.
@@ -82,7 +82,7 @@ impl Explorer<'_> {
             }
             (PlayKind::Pot(_) | PlayKind::PushOut, _) => Ok(()),
             (PlayKind::Indirect, _) => {
-                let Some(aim) = PotAim::of(candidate) else { return Ok(()) };
+                let Some(aim) = MeantPot::of(candidate) else { return Ok(()) };
                 self.find_again((prepared, candidate.place), Self::raised(prepared, strike), aim)
             }
             _ => {

@@ -11,7 +11,7 @@ use super::candidate::PlayKind;
 use super::explore::Explorer;
 use super::pots::sequence_point;
 use super::race::keeps_turn;
-use super::windows::PotAim;
+use super::windows::MeantPot;
 use crate::scene::{Scene, SceneBall, ghost};
 use crate::targets::call_of;
 use carom_plan::Prepared;
@@ -218,7 +218,11 @@ impl Explorer<'_> {
             let pot = self.potted().filter(|pot| !self.has_direct_line(*pot, strike.azimuth));
             match (kind, pot) {
                 (PlayKind::Indirect, Some(pot)) if self.measures_windows => {
-                    self.center((prepared, place), strike, PotAim { pot, call, kind, line: None })?;
+                    self.center(
+                        (prepared, place),
+                        strike,
+                        MeantPot { pot, call, kind, line: None },
+                    )?;
                 }
                 _ => self.keep(strike, call, (kind, None, prior), (place, prepared)),
             }

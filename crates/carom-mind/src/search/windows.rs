@@ -31,14 +31,14 @@ const SAME_LINE: f64 = 0.03;
 
 /// A pot that a play is meant to make.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct PotAim {
+pub(crate) struct MeantPot {
     pub(crate) pot: (BallIndex, PocketName),
     pub(crate) call: Call,
     pub(crate) kind: PlayKind,
     pub(crate) line: Option<Line>,
 }
 
-impl PotAim {
+impl MeantPot {
     /// The aim of a candidate that is to pot a ball.
     pub(crate) fn of(candidate: &Candidate) -> Option<Self> {
         let Candidate { play, kind, line, pot, .. } = *candidate;
@@ -56,7 +56,7 @@ impl Explorer<'_> {
         &mut self,
         (prepared, place): (&Prepared<'_>, usize),
         strike: Strike,
-        aim: PotAim,
+        aim: MeantPot,
     ) -> Result<Option<f64>, Error> {
         let error = self.direction_error(prepared);
         let step = STEP * error;
@@ -96,7 +96,7 @@ impl Explorer<'_> {
         &mut self,
         (prepared, place): (&Prepared<'_>, usize),
         strike: Strike,
-        aim: PotAim,
+        aim: MeantPot,
     ) -> Result<(), Error> {
         let step = STEP * self.direction_error(prepared);
         for count in 0..=2 * LOST_STEPS {
@@ -130,7 +130,7 @@ impl Explorer<'_> {
         &mut self,
         prepared: &Prepared<'_>,
         strike: &Strike,
-        aim: &PotAim,
+        aim: &MeantPot,
     ) -> Result<(bool, f64), Error> {
         self.plays += 1;
         if self.sampler.simulate(prepared, strike).is_err() {
@@ -184,7 +184,7 @@ mod tests {
         explorer.found
     }
 
-    const AIM: PotAim = PotAim {
+    const AIM: MeantPot = MeantPot {
         pot: (9, PocketName::TopRight),
         call: Call::Nothing,
         kind: PlayKind::Indirect,
