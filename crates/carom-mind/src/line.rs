@@ -6,8 +6,9 @@
 
 use core::f64::consts::SQRT_2;
 
-use carom::Noise;
 use carom::math::{Vec2, atan2, sqrt};
+use carom::table::PocketName;
+use carom::{Noise, Table};
 use carom_rules::BallIndex;
 
 use crate::scene::{Scene, SceneBall, Window, ghost, towards};
@@ -96,6 +97,11 @@ impl Line {
     /// The paths of the balls, first that of the cue ball.
     pub fn legs(&self) -> &[LineLeg] {
         &self.legs[..self.count]
+    }
+
+    /// The ball that is to fall, and the name of its pocket on `table`.
+    pub(crate) fn pot(&self, table: &Table) -> (BallIndex, PocketName) {
+        (self.object, table.pockets[self.pocket].name)
     }
 
     /// The estimated probability that the ball falls, for a player with these errors. `radius` is

@@ -180,8 +180,8 @@ impl Workbench {
             known.turned = turned.clamp(-LARGEST_CORRECTION, LARGEST_CORRECTION);
         }
         known.slope = Some(aimed.slope);
-        let pocket = prepared.shot().table().pockets[line.pocket].name;
-        let call = call_of(sight.turn, line.first, Some((line.object, pocket)));
+        let pot = line.pot(prepared.shot().table());
+        let call = call_of(sight.turn, line.first, Some(pot));
         let is_legal = self.sampler.rule(prepared, call, &mut self.successor)?.is_legal();
         let play = Play { cue_ball: prepared.cue_ball(), call, ..Play::new(aimed.strike) };
         Ok(is_legal.then_some(play))
@@ -262,8 +262,8 @@ pub(crate) fn geometric(
     speed: f64,
 ) -> Play {
     let strike = Correction::default().start(sight, prepared, line, Stroke::plain(speed));
-    let pocket = prepared.shot().table().pockets[line.pocket].name;
-    let call = call_of(sight.turn, line.first, Some((line.object, pocket)));
+    let pot = line.pot(prepared.shot().table());
+    let call = call_of(sight.turn, line.first, Some(pot));
     Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) }
 }
 

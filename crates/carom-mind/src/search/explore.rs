@@ -99,10 +99,9 @@ impl<'a> Explorer<'a> {
         (kind, line, prior): (PlayKind, Option<Line>, f64),
         (place, prepared): (usize, &Prepared<'_>),
     ) {
-        let pockets = &prepared.shot().table().pockets;
         let pot = match kind {
             PlayKind::Indirect => self.potted(),
-            _ => line.map(|line| (line.object, pockets[line.pocket].name)),
+            _ => line.map(|line| line.pot(prepared.shot().table())),
         };
         self.found.push(Candidate {
             play: Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) },

@@ -246,16 +246,16 @@ impl Explorer<'_> {
         }
         let turned = aimed.strike.azimuth - geometric_azimuth(prepared, &line, offsets[0]);
         known.turned = Some((turned, aimed.slope));
-        let pocket = prepared.shot().table().pockets[line.pocket].name;
-        let call = call_of(self.turn, line.first, Some((line.object, pocket)));
+        let pot = line.pot(prepared.shot().table());
+        let call = call_of(self.turn, line.first, Some(pot));
         let (value, is_legal) = self.ruled(prepared, call)?;
         if !is_legal {
             return Ok(());
         }
         if self.measures_windows {
-            let (pot, kind) = ((line.object, pocket), PlayKind::Pot(line.kind));
-            let aim = MeantPot { pot, call, kind, line: Some(line) };
-            let prior = self.center((prepared, known.place), aimed.strike, aim)?;
+            let kind = PlayKind::Pot(line.kind);
+            let meant = MeantPot { pot, call, kind, line: Some(line) };
+            let prior = self.center((prepared, known.place), aimed.strike, meant)?;
             known.best = known.best.max(prior.unwrap_or_default());
             return Ok(());
         }

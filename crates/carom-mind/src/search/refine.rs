@@ -82,8 +82,8 @@ impl Explorer<'_> {
             }
             (PlayKind::Pot(_) | PlayKind::PushOut, _) => Ok(()),
             (PlayKind::Indirect, _) => {
-                let Some(aim) = MeantPot::of(candidate) else { return Ok(()) };
-                self.find_again((prepared, candidate.place), Self::raised(prepared, strike), aim)
+                let Some(meant) = MeantPot::of(candidate) else { return Ok(()) };
+                self.find_again((prepared, candidate.place), Self::raised(prepared, strike), meant)
             }
             _ => {
                 let azimuth = meant.azimuth + TURN * aside;

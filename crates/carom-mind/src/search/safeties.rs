@@ -205,7 +205,8 @@ impl Explorer<'_> {
             return Ok(());
         }
         self.plays += 1;
-        let call = call_of(self.turn, first, self.potted());
+        let pot = self.potted();
+        let call = call_of(self.turn, first, pot);
         let (value, is_legal) = self.ruled(prepared, call)?;
         if is_legal {
             let scores = keeps_turn(&self.successor, self.seat());
@@ -215,14 +216,11 @@ impl Explorer<'_> {
                 Rules::ThreeCushion => PlayKind::Carom,
                 _ => PlayKind::Indirect,
             };
-            let pot = self.potted().filter(|pot| !self.has_direct_line(*pot, strike.azimuth));
-            match (kind, pot) {
+            let without_line = pot.filter(|pot| !self.has_direct_line(*pot, strike.azimuth));
+            match (kind, without_line) {
                 (PlayKind::Indirect, Some(pot)) if self.measures_windows => {
-                    self.center(
-                        (prepared, place),
-                        strike,
-                        MeantPot { pot, call, kind, line: None },
-                    )?;
+                    let meant = MeantPot { pot, call, kind, line: None };
+                    self.center((prepared, place), strike, meant)?;
                 }
                 _ => self.keep(strike, call, (kind, None, prior), (place, prepared)),
             }

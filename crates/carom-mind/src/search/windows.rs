@@ -39,7 +39,7 @@ pub(crate) struct MeantPot {
 }
 
 impl MeantPot {
-    /// The aim of a candidate that is to pot a ball.
+    /// What a candidate is meant to pot; none if that is nothing.
     pub(crate) fn of(candidate: &Candidate) -> Option<Self> {
         let Candidate { play, kind, line, pot, .. } = *candidate;
         pot.map(|pot| Self { pot, call: play.call, kind, line })
@@ -56,7 +56,7 @@ impl Explorer<'_> {
         &mut self,
         (prepared, place): (&Prepared<'_>, usize),
         strike: Strike,
-        aim: MeantPot,
+        meant: MeantPot,
     ) -> Result<Option<f64>, Error> {
         let error = self.direction_error(prepared);
         let step = STEP * error;
@@ -66,7 +66,7 @@ impl Explorer<'_> {
         for (k, way) in [-1.0, 1.0].into_iter().enumerate() {
             for count in 1..=MOST_STEPS {
                 let azimuth = strike.azimuth + way * step * f64::from(count);
-                let (falls, value) = self.makes(prepared, &Strike { azimuth, ..strike }, &aim)?;
+                let (falls, value) = self.makes(prepared, &Strike { azimuth, ..strike }, &meant)?;
                 missed[k] = value;
                 if !falls {
                     break;
@@ -76,7 +76,7 @@ impl Explorer<'_> {
         }
         let turn = 0.5 * (f64::from(reach[1]) - f64::from(reach[0])) * step;
         let middle = Strike { azimuth: strike.azimuth + turn, ..strike };
-        let (falls, value) = self.makes(prepared, &middle, &aim)?;
+        let (falls, value) = self.makes(prepared, &middle, &meant)?;
         if !falls {
             return Ok(None);
         }
@@ -84,7 +84,7 @@ impl Explorer<'_> {
         let chance = FALLS * libm::erf(half / (SQRT_2 * error));
         let missed = 0.5 * (missed[0] + missed[1]);
         let prior = chance * value + (1.0 - chance) * missed.min(value);
-        self.keep(middle, aim.call, (aim.kind, aim.line, prior), (place, prepared));
+        self.keep(middle, meant.call, (meant.kind, meant.line, prior), (place, prepared));
         Ok(Some(prior))
     }
 
@@ -96,15 +96,15 @@ impl Explorer<'_> {
         &mut self,
         (prepared, place): (&Prepared<'_>, usize),
         strike: Strike,
-        aim: MeantPot,
+        meant: MeantPot,
     ) -> Result<(), Error> {
         let step = STEP * self.direction_error(prepared);
         for count in 0..=2 * LOST_STEPS {
             let side = if count % 2 == 0 { 1.0 } else { -1.0 };
             let azimuth = strike.azimuth + side * step * f64::from(count.div_ceil(2));
             let strike = Strike { azimuth, ..strike };
-            if self.makes(prepared, &strike, &aim)?.0 {
-                self.center((prepared, place), strike, aim)?;
+            if self.makes(prepared, &strike, &meant)?.0 {
+                self.center((prepared, place), strike, meant)?;
                 break;
             }
         }
@@ -130,15 +130,15 @@ impl Explorer<'_> {
         &mut self,
         prepared: &Prepared<'_>,
         strike: &Strike,
-        aim: &MeantPot,
+        meant: &MeantPot,
     ) -> Result<(bool, f64), Error> {
         self.plays += 1;
         if self.sampler.simulate(prepared, strike).is_err() {
             return Ok((false, 0.0));
         }
-        let is_called = matches!(aim.call, Call::Pocket(..));
-        let falls = !is_called || self.sampler.outcome().pocketed.contains(&aim.pot);
-        let (value, is_legal) = self.ruled(prepared, aim.call)?;
+        let is_called = matches!(meant.call, Call::Pocket(..));
+        let falls = !is_called || self.sampler.outcome().pocketed.contains(&meant.pot);
+        let (value, is_legal) = self.ruled(prepared, meant.call)?;
         Ok((falls && is_legal && keeps_turn(&self.successor, self.seat()), value))
     }
 }
@@ -148,9 +148,9 @@ pub(crate) fn direct_pots<'a>(
     lines: impl Iterator<Item = &'a Line>,
     prepared: &Prepared<'_>,
 ) -> Vec<DirectPot> {
-    let pockets = &prepared.shot().table().pockets;
+    let table = prepared.shot().table();
     let direct = lines.filter(|line| line.kind == LineKind::Direct);
-    direct.map(|line| ((line.object, pockets[line.pocket].name), line.azimuth)).collect()
+    direct.map(|line| (line.pot(table), line.azimuth)).collect()
 }
 
 #[cfg(test)]
