@@ -7,6 +7,7 @@ import type { Trace } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { arc } from "../common/arc.ts";
 import { h } from "../common/dom.ts";
+import { hasFlag, setFlag } from "../common/flag.ts";
 import type { Attempt } from "../document/document.ts";
 import type { Store } from "../document/store.ts";
 import { leave } from "../replay/control.ts";
@@ -23,12 +24,8 @@ const COLOR = "#ffffff";
 
 /** Whether the first steps were done or skipped in this browser. */
 export function hasSeenOpening(): boolean {
-  try {
-    return localStorage.getItem(SEEN) !== null;
-  } catch {
-    // A page in a frame may have no storage: its reader has come for something else.
-    return true;
-  }
+  // A page in a frame may have no storage: its reader has come for something else.
+  return hasFlag("localStorage", SEEN, true);
 }
 
 /**
@@ -76,11 +73,7 @@ export function mountOpening(
     step = -1;
     if (store.session.attempt === attempt) store.setSession({ attempt: null });
     attempt = null;
-    try {
-      localStorage.setItem(SEEN, "1");
-    } catch {
-      // Without storage the steps come again at the next visit.
-    }
+    setFlag("localStorage", SEEN, true);
     show();
     document.getElementById("table")?.focus();
   }

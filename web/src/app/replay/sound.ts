@@ -2,6 +2,7 @@
 
 import { Speaker } from "../../sound/speaker.ts";
 import { h, icon } from "../common/dom.ts";
+import { hasFlag, setFlag } from "../common/flag.ts";
 import type { Store } from "../document/store.ts";
 import { t } from "../words/translate.ts";
 
@@ -13,31 +14,17 @@ const ICONS = {
 /** Name in the browser's storage under which it is kept that the user has switched the sound off. */
 const SILENCED = "carom-sound-off";
 
-function isSilenced(): boolean {
-  try {
-    return localStorage.getItem(SILENCED) !== null;
-  } catch {
-    // Some frames and browsers have no storage.
-    return false;
-  }
-}
-
 /** Switches the sound on or off, also for later visits. */
 export function switchSound(store: Store): void {
   const sound = !store.session.sound;
   store.setSession({ sound });
-  try {
-    if (sound) localStorage.removeItem(SILENCED);
-    else localStorage.setItem(SILENCED, "1");
-  } catch {
-    // Without storage the choice ends with the page.
-  }
+  setFlag("localStorage", SILENCED, !sound);
 }
 
 /** Plays the impacts of a running replay while sound is switched on. */
 export function mountSound(store: Store): void {
   const speaker = new Speaker();
-  if (isSilenced()) store.setSession({ sound: false });
+  if (hasFlag("localStorage", SILENCED, false)) store.setSession({ sound: false });
   store.subscribe(({ session }, { session: before }) => {
     const { trace, playing, sound, stroke, time, rate } = session;
     if (playing && sound && trace) {

@@ -4,6 +4,7 @@
  */
 
 import type { Engine } from "../../engine/index.ts";
+import { hasFlag, setFlag } from "../common/flag.ts";
 import type { Store } from "../document/store.ts";
 import type { Slices } from "../common/slices.ts";
 import { type LinkContents, readLink } from "./address.ts";
@@ -26,17 +27,12 @@ export function keepForReload(store: Store): void {
   stateFromFragment(kept);
   sessionStorage.setItem(KEPT, kept);
   // A link opens without sound, and the page stays silent when it is loaded again.
-  if (store.session.sound) sessionStorage.removeItem(SILENT);
-  else sessionStorage.setItem(SILENT, "1");
+  setFlag("sessionStorage", SILENT, !store.session.sound);
 }
 
 /** Whether what was kept had no sound. */
 export function wasSilent(): boolean {
-  try {
-    return sessionStorage.getItem(SILENT) !== null;
-  } catch {
-    return false;
-  }
+  return hasFlag("sessionStorage", SILENT, false);
 }
 
 /** Keeps the last changes when the page is loaded again: the address may not have them yet. */

@@ -41,13 +41,14 @@ export function marksOf(
   const cloth = clothOf(engine, drill.table);
   const [width, length] = cloth.size.map((metres) => 1000 * metres) as [number, number];
   const rail = 1000 * (cloth.geometry.rail_width ?? 0.15);
+  const goals = goalPockets(step);
   const found = areas(cloth, step);
   const shown = balls(engine, setting, enlarged);
   const obstacles: Obstacle[] = [
     // Numbers stand on the cloth.
     ...edgesOf({ left: 0, top: 0, right: length, bottom: width }, 0),
     ...cloth.geometry.pockets.map(({ center, radius }): Obstacle => {
-      const r = 1000 * radius + (goalPockets(step).length > 0 ? GOAL : 0);
+      const r = 1000 * radius + (goals.length > 0 ? GOAL : 0);
       return { kind: "disc", ...middle(center), r, stroke: GOAL_LINE };
     }),
     ...lines(cloth),
@@ -71,7 +72,7 @@ export function marksOf(
       "circle",
       { class: "diagram-pocket", ...middle(center), r: 1000 * radius },
     ]),
-    ...goalPockets(step).map((name): Mark => {
+    ...goals.map((name): Mark => {
       const { center, radius } = cloth.geometry.pockets.find((pocket) => pocket.name === name)!;
       return ["circle", { class: "diagram-goal", ...middle(center), r: 1000 * radius + GOAL }];
     }),
