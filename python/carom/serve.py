@@ -79,6 +79,9 @@ class _Handler(BaseHTTPRequestHandler):
     protocol_version = "HTTP/1.1"
     server_version = "carom"
 
+    def do_HEAD(self) -> None:
+        self.do_GET()
+
     def do_GET(self) -> None:
         name = self.path.partition("?")[0].removeprefix("/")
         if name in self.server.beside:
@@ -99,7 +102,7 @@ class _Handler(BaseHTTPRequestHandler):
         self.send_header("Cache-Control", self.server.cache_control)
         self.send_header("X-Content-Type-Options", "nosniff")
         self.end_headers()
-        self.wfile.write(body)
+        self._write(body)
 
     def _send_beside(self, name: str) -> None:
         body = self.server.beside[name]
@@ -109,7 +112,12 @@ class _Handler(BaseHTTPRequestHandler):
         self.send_header("Cache-Control", "no-cache")
         self.send_header("X-Content-Type-Options", "nosniff")
         self.end_headers()
-        self.wfile.write(body)
+        self._write(body)
+
+    def _write(self, body: bytes) -> None:
+        """Write the body, unless only the headers are asked for."""
+        if self.command != "HEAD":
+            self.wfile.write(body)
 
     def log_message(self, format: str, *args: object) -> None:  # noqa: A002 -- the base class's name
         """Print nothing to the terminal."""

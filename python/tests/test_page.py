@@ -189,6 +189,12 @@ def test_the_server_has_one_page_and_compresses_it_on_request() -> None:
         assert ask(server, "GET", "/etc/passwd")[0].status == 404
         assert ask(server, "GET", "/..")[0].status == 404
         assert ask(server, "POST", "/")[0].status == 501
+        # A checker of links asks for the headers alone.
+        for path in ("/", "/manifest.webmanifest"):
+            whole, _ = ask(server, "GET", path)
+            headers, body = ask(server, "HEAD", path)
+            assert (headers.status, body) == (200, b"")
+            assert headers.headers["Content-Length"] == whole.headers["Content-Length"]
 
 
 def test_the_server_has_what_makes_the_page_installable() -> None:

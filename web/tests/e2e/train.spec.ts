@@ -309,6 +309,32 @@ test("progress is saved as a file and added without duplicates; a damaged file c
   await clear(page);
 });
 
+test("progress is deleted by two presses, and by one it is kept", async ({ open }) => {
+  const page = await open();
+  await clear(page);
+  await train(page);
+  // Without a result there is nothing to delete.
+  expect(await page.locator("#delete-progress").count()).toBe(0);
+  await page.locator("#drill-bank").click();
+  await page.locator("#table-drill").click();
+  for (let k = 0; k < 10; k += 1) await page.locator("#tap-1").click();
+  await page.getByRole("button", { name: "Leave" }).click();
+  await page.getByRole("button", { name: "All drills" }).click();
+  const kept = await results(page);
+  expect(kept?.results).toHaveLength(1);
+  const ask = page.getByRole("button", { name: "Delete it" });
+  await ask.click();
+  await page.getByRole("button", { name: "Keep it" }).click();
+  expect(await ask.evaluate((button) => button === document.activeElement)).toBe(true);
+  expect(await results(page)).toEqual(kept);
+  await ask.click();
+  await page.getByRole("button", { name: "Delete 1 result for good" }).click();
+  await page.getByText("1 result deleted.").waitFor();
+  expect(await results(page)).toBeNull();
+  expect(await page.locator("#drill-bank").textContent()).toContain("Not played yet");
+  expect(await ask.count()).toBe(0);
+});
+
 test("damaged progress in the browser is set aside and can be saved", async ({ open }) => {
   const page = await open();
   await page.evaluate(() => localStorage.setItem("carom-progress", "{damaged"));

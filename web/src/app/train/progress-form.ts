@@ -1,10 +1,16 @@
-/** The part of the Train tab that saves the progress as a file and adds one from a file. */
+/** The part of the Train tab that saves the progress as a file, adds one from a file, and deletes it. */
 
 import { h } from "../common/dom.ts";
 import { download } from "../share/download.ts";
 import { t } from "../words/translate.ts";
 import { button, type Trainer } from "./parts.ts";
-import { DamagedProgress, dayOf, progressOfText, progressToText } from "./progress/progress.ts";
+import {
+  DamagedProgress,
+  dayOf,
+  type Progress,
+  progressOfText,
+  progressToText,
+} from "./progress/progress.ts";
 
 export function mountProgress(root: HTMLElement, trainer: Trainer): void {
   const { keeper } = trainer;
@@ -34,12 +40,38 @@ export function mountProgress(root: HTMLElement, trainer: Trainer): void {
       input,
     ),
   );
+  if (sizeOf(keeper.progress) > 0) mountDeletion(root, trainer);
   if (damaged === null) return;
   const saveDamaged = () => download(damaged, "carom-progress-damaged.txt");
   root.append(
     h("p", { role: "alert" }, t("progress.damaged")),
     h("div", { class: "row" }, button("save-damaged", t("progress.save-damaged"), saveDamaged)),
   );
+}
+
+/** The button that deletes the progress: a second press confirms it. */
+function mountDeletion(root: HTMLElement, { keeper, context }: Trainer): void {
+  const row = h("div", { class: "row" });
+  const ask = button("delete-progress", t("progress.delete"), () => {
+    const count = sizeOf(keeper.progress);
+    const confirm = button("confirm-delete", t("progress.confirm-delete", { count }), () => {
+      keeper.clear();
+      context.announce(t("progress.deleted", { count }));
+    });
+    confirm.classList.add("danger");
+    const keep = button("keep-progress", t("progress.keep"), () => {
+      row.replaceChildren(ask);
+      ask.focus();
+    });
+    row.replaceChildren(confirm, keep);
+    keep.focus();
+  });
+  row.append(ask);
+  root.append(row);
+}
+
+function sizeOf({ results, puzzles }: Progress): number {
+  return results.length + puzzles.length;
 }
 
 async function addFile(file: File, { store, context, keeper }: Trainer): Promise<void> {
@@ -51,12 +83,11 @@ async function addFile(file: File, { store, context, keeper }: Trainer): Promise
     return;
   }
   try {
-    const size = () => keeper.progress.results.length + keeper.progress.puzzles.length;
-    const before = size();
+    const before = sizeOf(keeper.progress);
     keeper.add(progressOfText(text));
     // The refusal of an earlier file would contradict this one.
     store.setSession({ refusal: null });
-    context.announce(t("progress.imported", { count: size() - before }));
+    context.announce(t("progress.imported", { count: sizeOf(keeper.progress) - before }));
   } catch (error) {
     if (!(error instanceof DamagedProgress)) throw error;
     store.refuse(refusalOf(error, file.name));

@@ -198,4 +198,26 @@ describe("the progress in the browser", () => {
     expect(one.progress.results).toHaveLength(2);
     expect(new Keeper(storage).progress.results).toHaveLength(2);
   });
+
+  test("is deleted in every tab, and does not come back with the next result", () => {
+    const storage = box();
+    const [one, two] = [new Keeper(storage), new Keeper(storage)];
+    one.add(SOME);
+    two.refresh();
+    two.clear();
+    expect([two.progress, storage.texts.has("carom-progress")]).toEqual([NOTHING, false]);
+    one.refresh();
+    expect(one.progress).toEqual(NOTHING);
+    two.add(SOME);
+    two.clear();
+    one.addResult(result(4, [2]));
+    expect(new Keeper(storage).progress.results).toEqual([result(4, [2])]);
+  });
+
+  test("is deleted where there is no storage", () => {
+    const keeper = new Keeper(null);
+    keeper.add(SOME);
+    keeper.clear();
+    expect(keeper.progress).toEqual(NOTHING);
+  });
 });

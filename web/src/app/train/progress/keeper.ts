@@ -59,17 +59,32 @@ export class Keeper {
     this.#read();
     this.#present = merged(this.#present, more);
     this.#write();
-    for (const listener of this.#listeners) listener();
+    this.#changed();
   }
 
-  /** Reads what another tab has stored. */
+  /** Deletes the progress. Damaged copies that were set aside stay. */
+  clear(): void {
+    this.#present = NOTHING;
+    try {
+      this.#box?.removeItem(STORED);
+    } catch {
+      this.#isKept = false;
+    }
+    this.#changed();
+  }
+
+  /** Reads what another tab has stored, or forgets what it has deleted. */
   refresh(): void {
     this.#read();
-    for (const listener of this.#listeners) listener();
+    this.#changed();
   }
 
   subscribe(listener: () => void): void {
     this.#listeners.add(listener);
+  }
+
+  #changed(): void {
+    for (const listener of this.#listeners) listener();
   }
 
   #read(): void {
@@ -81,9 +96,14 @@ export class Keeper {
       this.#isKept = false;
       return;
     }
-    if (text === null) return;
+    // What could not be stored is in memory alone.
+    const unkept = this.#isKept ? NOTHING : this.#present;
+    if (text === null) {
+      this.#present = unkept;
+      return;
+    }
     try {
-      this.#present = merged(progressOfText(text), this.#present);
+      this.#present = merged(progressOfText(text), unkept);
     } catch (error) {
       if (!(error instanceof DamagedProgress)) throw error;
       this.#setAside(text);

@@ -100,6 +100,13 @@ export const train: Translation<typeof en.train> = {
     one: "{count} neues Ergebnis ergänzt.",
     other: "{count} neue Ergebnisse ergänzt.",
   },
+  "progress.delete": "Löschen",
+  "progress.confirm-delete": {
+    one: "{count} Ergebnis endgültig löschen",
+    other: "{count} Ergebnisse endgültig löschen",
+  },
+  "progress.keep": "Behalten",
+  "progress.deleted": { one: "{count} Ergebnis gelöscht.", other: "{count} Ergebnisse gelöscht." },
   "progress.not-json": "{file} ist beschädigt oder keine Fortschrittsdatei. Nichts wurde geändert.",
   "progress.other-format":
     "{file} ist kein Fortschritt dieser Seite: Wählen Sie eine Datei, die sie gesichert hat. Nichts wurde geändert.",

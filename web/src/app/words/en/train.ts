@@ -91,6 +91,13 @@ export const train = {
   "progress.export": "Save as a file",
   "progress.import": "Add from a file",
   "progress.imported": { one: "{count} new result added.", other: "{count} new results added." },
+  "progress.delete": "Delete it",
+  "progress.confirm-delete": {
+    one: "Delete {count} result for good",
+    other: "Delete {count} results for good",
+  },
+  "progress.keep": "Keep it",
+  "progress.deleted": { one: "{count} result deleted.", other: "{count} results deleted." },
   "progress.not-json": "{file} is damaged or no progress file. Nothing was changed.",
   "progress.other-format":
     "{file} is no progress of this page: choose a file that it saved. Nothing was changed.",
