@@ -36,6 +36,6 @@ pub const LEVELS: [Level; 5] = [
     Level::new("level-1", 1.42, 120),
     Level::new("level-2", 1.18, 250),
     Level::new("level-3", 0.9, 600),
-    Level::new("level-4", 0.57, 1500),
+    Level::new("level-4", 0.65, 1500),
     Level::new("level-5", 0.33, 6000),
 ];
