@@ -26,7 +26,7 @@ pub struct Recommendation {
     pub win: f64,
     /// Its standard error, from the samples alone.
     pub error: f64,
-    /// Samples after which the player shoots again or has won.
+    /// Samples after which the player has the turn again or has won.
     pub kept: Chance,
     /// Samples with a foul.
     pub foul: Chance,
