@@ -28,7 +28,7 @@ use carom_mind::targets::{Targets, call_of};
 use carom_mind::value::{Logistic, Position, Value};
 use carom_mind::{Answer, Budget, Player, Searcher, Situation};
 use carom_plan::{Prepared, Sampler};
-use carom_rules::{Call, Frame, Options, Play, Request, Rules, Seat};
+use carom_rules::{Call, Frame, Options, Play, Rules, Seat};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
@@ -183,7 +183,7 @@ impl<'a> Brute<'a> {
                             let strike = self.strike(spin, azimuth);
                             let pots = sampler.simulate(&self.prepared, &strike).is_ok()
                                 && sampler.rule(&self.prepared, call, &mut successor)?.is_legal()
-                                && self.keeps(&successor);
+                                && successor.keeps_turn(self.seat);
                             match (pots, from) {
                                 (true, None) => from = Some(azimuth),
                                 (false, Some(start)) => {
@@ -229,13 +229,6 @@ impl<'a> Brute<'a> {
 
     fn play(&self, spin: [f64; 3], azimuth: f64, call: Call) -> Play {
         Play { call, ..Play::new(self.strike(spin, azimuth)) }
-    }
-
-    fn keeps(&self, successor: &Frame) -> bool {
-        match successor.request() {
-            Request::Over { winner, .. } => *winner == Some(self.seat),
-            _ => successor.player() == Some(self.seat),
-        }
     }
 
     /// The mean value of a play over `samples` drawn errors from number `first` on.

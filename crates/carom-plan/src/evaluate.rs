@@ -107,7 +107,7 @@ pub struct Evaluation {
     pub off_table: Vec<u64>,
     /// Number of legal variants; None without a referee.
     pub legal: Option<u64>,
-    /// Number of variants after which the same player shoots again or has won; None without a referee.
+    /// Number of variants after which the same player has the turn again or has won; None without a referee.
     pub turn_kept: Option<u64>,
     /// Mean (m) and covariance (m²) of each ball's place of rest on the table, in the file's frame.
     pub ends: Vec<Moments>,

@@ -5,7 +5,7 @@ use carom::noise::Errors;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use carom::{Error, MotionState, Shot};
-use carom_rules::{Call, Frame, Play, Prepared, Request};
+use carom_rules::{Call, Frame, Play, Prepared};
 
 use crate::sampler::Sampler;
 
@@ -31,7 +31,7 @@ pub(crate) struct Refereed<'a> {
 pub(crate) struct Verdicts {
     /// The shot was legal.
     pub(crate) legal: u64,
-    /// The same player shoots again or has won.
+    /// The same player has the turn again or has won.
     pub(crate) turn_kept: u64,
 }
 
@@ -84,12 +84,8 @@ impl<'a> Refereed<'a> {
     fn rule(&self, sampler: &Sampler, successor: &mut Frame) -> Result<RuledVariant, Error> {
         let ruling = sampler.rule(&self.prepared, self.call, successor)?;
         let player = self.prepared.turn().player;
-        let kept = match successor.request() {
-            Request::Shot(turn) => turn.player == player,
-            Request::Choice { .. } => false,
-            Request::Over { winner, .. } => *winner == Some(player),
-        };
-        let verdicts = Verdicts { legal: u64::from(ruling.is_legal()), turn_kept: u64::from(kept) };
+        let turn_kept = u64::from(successor.keeps_turn(player));
+        let verdicts = Verdicts { legal: u64::from(ruling.is_legal()), turn_kept };
         Ok(RuledVariant { ends: self.ends(sampler), verdicts })
     }
 

@@ -169,6 +169,15 @@ impl Frame {
         }
     }
 
+    /// Whether `seat` has the turn or has won: after its own shot, whether it kept the turn. A break of
+    /// eight-ball that pots the eight keeps it, because the player who broke chooses what follows.
+    pub fn keeps_turn(&self, seat: Seat) -> bool {
+        match self.request {
+            Request::Over { winner, .. } => winner == Some(seat),
+            Request::Shot(_) | Request::Choice { .. } => self.player() == Some(seat),
+        }
+    }
+
     /// Whether the frame is over.
     pub const fn is_over(&self) -> bool {
         matches!(self.request, Request::Over { .. })

@@ -43,7 +43,7 @@ class Evaluation:
             them.
         first_failure: The error of the first of them; None if there is none.
         legal_count: Number of legal variants; None without a frame.
-        turn_kept_count: Number of variants after which the player shoots again or has won; None
+        turn_kept_count: Number of variants after which the player has the turn again or has won; None
             without a frame.
         at_rest: Number of variants in which each ball came to rest on the table, int64 of shape
             (n_balls,).
@@ -121,7 +121,7 @@ class Evaluation:
 
     @property
     def turn_kept(self) -> Chance | None:
-        """The chance that the player shoots again or has won; None without a frame."""
+        """The chance that the player has the turn again or has won; None without a frame."""
         return None if self.turn_kept_count is None else self.chance(self.turn_kept_count)
 
     def chances(self) -> dict[str, Chance]:

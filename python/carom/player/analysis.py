@@ -81,7 +81,7 @@ class Recommendation:
         pocket: The pocket it is to fall into; None if none is.
         win_chance: The estimated probability that the player wins the frame.
         error: Standard error of ``win_chance``, from the samples alone.
-        kept: The chance that the player shoots again or has won.
+        kept: The chance that the player has the turn again or has won.
         foul: The chance of a foul.
         win_if_kept: ``win_chance`` over the samples in which the turn is kept; None without such.
         win_if_missed: The same over the other samples.

@@ -94,7 +94,7 @@ export interface Recommendation {
   readonly error: number;
   /** Number of samples of the chances. */
   readonly samples: number;
-  /** The chance that the player shoots again or has won. */
+  /** The chance that the player has the turn again or has won. */
   readonly kept: Chance;
   readonly foul: Chance;
   /** `win_chance` over the samples in which the turn is kept, and over the others; null without such. */

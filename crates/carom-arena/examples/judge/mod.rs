@@ -4,7 +4,7 @@ use carom::Error;
 use carom::noise::Errors;
 use carom_mind::value::{Logistic, Position, Value};
 use carom_plan::{Prepared, Sampler};
-use carom_rules::{Play, Request, Seat};
+use carom_rules::{Play, Seat};
 
 /// The mean value for `seat` of what `play` leaves with the first `count` of these errors, and the share of
 /// them with which the player who shoots keeps the turn or wins.
@@ -23,10 +23,7 @@ pub(crate) fn judge(
         sampler.simulate_variant(&prepared, &play.strike, errors, index)?;
         sampler.rule(&prepared, play.call, &mut successor)?;
         sum += Logistic.win_chance(&Position { frame: &successor, noise }, seat);
-        kept += u64::from(match successor.request() {
-            Request::Over { winner, .. } => *winner == frame.player(),
-            _ => successor.player() == frame.player(),
-        });
+        kept += u64::from(frame.player().is_some_and(|seat| successor.keeps_turn(seat)));
     }
     Ok((sum / count as f64, kept as f64 / count as f64))
 }

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use carom::resolve::cue_ball::{Strike, squirt};
 use carom::{Error, Noise};
-use carom_rules::{Frame, Play, Request, Seat, Turn};
+use carom_rules::{Frame, Play, Turn};
 
 use super::pot_table::PotTable;
 use crate::aim::aim;
@@ -204,18 +204,9 @@ impl Workbench {
             self.sampler.simulate_variant(prepared, &play.strike, errors, index)?;
             self.sampler.rule(prepared, play.call, &mut self.successor)?;
             self.plays += 1;
-            each(&self.successor, keeps(&self.successor, seat));
+            each(&self.successor, self.successor.keeps_turn(seat));
         }
         Ok(())
-    }
-}
-
-/// Whether `seat` shoots next or has won.
-pub(crate) fn keeps(frame: &Frame, seat: Seat) -> bool {
-    match frame.request() {
-        Request::Shot(turn) => turn.player == seat,
-        Request::Choice { .. } => false,
-        Request::Over { winner, .. } => *winner == Some(seat),
     }
 }
 

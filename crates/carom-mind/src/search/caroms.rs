@@ -8,7 +8,6 @@ use carom::resolve::cue_ball::Strike;
 
 use super::candidate::PlayKind;
 use super::explore::Explorer;
-use super::race::keeps_turn;
 use crate::scene::Scene;
 use crate::targets::call_of;
 use carom_plan::Prepared;
@@ -74,7 +73,7 @@ impl Explorer<'_> {
             }
             self.plays += 1;
             let (value, is_legal) = self.ruled(prepared, call)?;
-            let keeps = keeps_turn(&self.successor, self.seat());
+            let keeps = self.successor.keeps_turn(self.seat());
             if is_legal && keeps {
                 let kind = (PlayKind::Carom, None, CHANCE * value);
                 self.keep(strike, call, kind, (place, prepared));

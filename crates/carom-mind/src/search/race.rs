@@ -10,7 +10,7 @@ use core::ops::Range;
 use carom::Error;
 use carom::math::sqrt;
 use carom::runner::Runner;
-use carom_rules::{Frame, Request, Seat};
+use carom_rules::{Frame, Seat};
 
 use super::candidate::{Candidate, PlayedVariant};
 use super::even_errors::EvenErrors;
@@ -179,7 +179,7 @@ impl Race<'_> {
             let foul = !ruling.is_legal();
             let position = Position { frame: successor, noise: &self.situation.noise };
             let value = self.value.win_chance(&position, self.seat);
-            let kept = keeps_turn(successor, self.seat);
+            let kept = successor.keeps_turn(self.seat);
             let end = successor.layout().place(cue);
             samples.push(PlayedVariant { index, executed, value, kept, foul, end });
         }
@@ -232,22 +232,12 @@ fn variance(candidate: &Candidate) -> f64 {
     ((squares - sum * sum / count.max(1.0)) / (count - 1.0).max(1.0)).max(LEAST_VARIANCE)
 }
 
-/// Whether `seat` has the turn or has won. After a break that pots the eight, the player who broke
-/// chooses how the frame goes on, and has the turn.
-pub(crate) fn keeps_turn(frame: &Frame, seat: Seat) -> bool {
-    match frame.request() {
-        Request::Over { winner, .. } => *winner == Some(seat),
-        Request::Shot(_) | Request::Choice { .. } => frame.player() == Some(seat),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use carom::resolve::cue_ball::Strike;
-    use carom_rules::{Frame, Options, Play, Request, Rules};
+    use carom_rules::Play;
 
-    use super::{Candidate, PlayedVariant, keeps_turn, most_needed};
-    use crate::breaks::BreakShot;
+    use super::{Candidate, PlayedVariant, most_needed};
     use crate::search::PlayKind;
 
     /// A candidate with ten samples around `value`.
@@ -282,21 +272,6 @@ mod tests {
         chosen.sort_unstable();
         assert_eq!(chosen, [1, 3]);
         assert_eq!(most_needed(&candidates, 4)[3], 0);
-    }
-
-    #[test]
-    fn who_chooses_after_a_break_that_pots_the_eight_keeps_the_turn() {
-        let rack =
-            Frame::new(Rules::EightBall, Options::default(), None, None, 0).expect("a frame");
-        // One break in forty pots the eight.
-        let chosen = (0..400).find_map(|seed| {
-            let mut frame = rack.with_seed(seed).expect("a rack");
-            let play = BreakShot::center(9.0).play(&frame).expect("a break");
-            frame.play(&play).expect("a shot");
-            matches!(frame.request(), Request::Choice { player: 0, .. }).then_some(frame)
-        });
-        let frame = chosen.expect("a break that pots the eight");
-        assert!(keeps_turn(&frame, 0) && !keeps_turn(&frame, 1));
     }
 
     #[test]

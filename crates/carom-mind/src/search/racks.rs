@@ -179,13 +179,12 @@ impl<'a> Racks<'a> {
         let fallen = || sampler.outcome().pocketed.iter().map(|(ball, _)| *ball);
         let is_game_ball = |ball: u16| game_ball(frame.rules()) == Some(ball);
         let cue = prepared.turn().cue;
-        let is_won = matches!(successor.request(), Request::Over { winner: Some(BREAKER), .. });
         let mut played = PlayedBreak {
             value: 0.0,
             correction: None,
             stratum: None,
             fallen: fallen().filter(|ball| *ball != cue).count() as u64,
-            is_kept: is_won || successor.player() == Some(BREAKER),
+            is_kept: successor.keeps_turn(BREAKER),
             is_foul: !ruling.is_legal(),
             is_game_ball: fallen().any(is_game_ball),
             plays: 1,

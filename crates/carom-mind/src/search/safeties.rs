@@ -10,7 +10,6 @@ use carom_rules::{BallIndex, Call, Rules};
 use super::candidate::PlayKind;
 use super::explore::Explorer;
 use super::pots::sequence_point;
-use super::race::keeps_turn;
 use super::windows::MeantPot;
 use crate::scene::{Scene, SceneBall, ghost};
 use crate::targets::call_of;
@@ -209,7 +208,7 @@ impl Explorer<'_> {
         let call = call_of(self.turn, first, pot);
         let (value, is_legal) = self.ruled(prepared, call)?;
         if is_legal {
-            let scores = keeps_turn(&self.successor, self.seat());
+            let scores = self.successor.keeps_turn(self.seat());
             let prior = if scores { LUCK * value } else { value };
             let kind = match self.situation.frame.rules() {
                 _ if !scores => PlayKind::Safety,

@@ -13,7 +13,6 @@ use carom_rules::{BallIndex, Call};
 
 use super::candidate::{Candidate, PlayKind};
 use super::explore::{DirectPot, Explorer};
-use super::race::keeps_turn;
 use crate::line::{Line, LineKind, direction_error};
 use carom_plan::Prepared;
 
@@ -139,7 +138,7 @@ impl Explorer<'_> {
         let is_called = matches!(meant.call, Call::Pocket(..));
         let falls = !is_called || self.sampler.outcome().pocketed.contains(&meant.pot);
         let (value, is_legal) = self.ruled(prepared, meant.call)?;
-        Ok((falls && is_legal && keeps_turn(&self.successor, self.seat()), value))
+        Ok((falls && is_legal && self.successor.keeps_turn(self.seat()), value))
     }
 }
 

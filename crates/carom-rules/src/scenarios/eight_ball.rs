@@ -71,6 +71,7 @@ fn after_the_eight_on_the_break_the_breaker_chooses_to_spot_it_or_to_break_again
     let mut scenario = Scenario::of(Rules::EightBall);
     assert!(scenario.play(Call::Nothing, hit(&[1]).potting(8, SIDE)).is_legal());
     scenario.offers(0, &[Choice::SpotEight, Choice::Rebreak]);
+    assert!(scenario.0.keeps_turn(0) && !scenario.0.keeps_turn(1));
     assert_eq!(scenario.choose(Choice::SpotEight).spotted, [8]);
     assert!(!scenario.is_down(8));
     assert_eq!(scenario.asks(0).hand, None);

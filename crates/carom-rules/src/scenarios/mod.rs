@@ -94,6 +94,7 @@ impl Scenario {
     fn asks(&self, seat: Seat) -> &Turn {
         let turn = self.turn();
         assert_eq!(turn.player, seat, "the other player shoots");
+        assert_eq!([0, 1].map(|one| self.0.keeps_turn(one)), [seat == 0, seat == 1]);
         turn
     }
 
@@ -111,6 +112,7 @@ impl Scenario {
             panic!("the frame asks for {:?}, but should be over", self.0.request());
         };
         assert_eq!(*winner, Some(seat));
+        assert_eq!([0, 1].map(|one| self.0.keeps_turn(one)), [seat == 0, seat == 1]);
     }
 }
 
