@@ -166,13 +166,23 @@ def strength(found: Experiments) -> list[list[str]]:
     return rows
 
 
+#: The changed players of the matches `part-`.
+PARTS = {
+    "refining": "without refining",
+    "logistic-value": "with the Markov chain as the value",
+    "safeties": "without safeties",
+    "common-errors": "without common errors",
+    "shift": "without the shift",
+    "replies": "with replies",
+}
+
+
 def parts(found: Experiments) -> list[list[str]]:
     """What each part of the search is worth."""
-    rows = [["Without", "frames", "points against the whole player, %"]]
-    for name, match in found.items():
-        if name.startswith("part-"):
-            part = name.removeprefix("part-").replace("-", " ")
-            rows.append([part, str(2 * match["pairs"]), points(match)])
+    rows = [["Player", "frames", "points against the usual player, %"]]
+    for name, title in PARTS.items():
+        if match := found.get(f"part-{name}"):
+            rows.append([title, str(2 * match["pairs"]), points(match)])
     return rows
 
 
@@ -208,7 +218,7 @@ BARS = {
         70,
     ),
     "bar-carom-greedy": ("3000 a decision against greedy, same break", 80),
-    "bar-5-ms-greedy": ("300 a decision against greedy with simulated aim, same break", 90),
+    "bar-5-ms-greedy": ("340 a decision against greedy with simulated aim, same break", 90),
     "bound-carom-pick-pocket": (
         "without errors, 3000 a decision against PickPocket, same break",
         None,

@@ -43,8 +43,8 @@ class Evaluation:
             them.
         first_failure: The error of the first of them; None if there is none.
         legal_count: Number of legal variants; None without a frame.
-        turn_kept_count: Number of variants after which the player has the turn again or has won; None
-            without a frame.
+        turn_kept_count: Number of variants after which the player has the turn again or has won;
+            None without a frame.
         at_rest: Number of variants in which each ball came to rest on the table, int64 of shape
             (n_balls,).
         end_mean: Mean place of rest in these variants, m, shape (n_balls, 2); NaN without any.
