@@ -106,7 +106,7 @@ for (const viewport of SIZES) {
     });
     await page.getByRole("button", { name: "Shoot" }).click();
     await showTab(page, "game");
-    await page.getByRole("button", { name: "Replay move 1" }).click();
+    await page.getByRole("button", { name: "Replay move 1", exact: true }).click();
     await page.locator("#game-bar").getByRole("button", { name: "Analyse" }).waitFor();
     // As while the machine thinks.
     await page.locator("#game-bar .machine").evaluate((sign) => sign.removeAttribute("hidden"));

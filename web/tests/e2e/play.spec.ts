@@ -218,7 +218,7 @@ for (const [name, viewport] of [
     if (!(await page.locator("#panel-game").isVisible())) {
       await page.getByRole("tab", { name: "Game" }).click();
     }
-    await page.getByRole("button", { name: "Replay move 1" }).click();
+    await page.getByRole("button", { name: "Replay move 1", exact: true }).click();
     await expect.poll(() => bar(page)).toMatch(/Shot 1 of 3, Ann/);
     const first = await hash();
     await page.getByRole("button", { name: "Next shot" }).click();

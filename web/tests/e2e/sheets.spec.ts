@@ -95,9 +95,9 @@ for (const viewport of SIZES) {
     await look("game");
     await page.getByRole("button", { name: "Shoot" }).click();
     await showTab(page, "game");
-    await page.getByRole("button", { name: "Replay move 1" }).waitFor();
+    await page.getByRole("button", { name: "Replay move 1", exact: true }).waitFor();
     await look("list of moves");
-    await page.getByRole("button", { name: "Replay move 1" }).click();
+    await page.getByRole("button", { name: "Replay move 1", exact: true }).click();
     await page.locator("#game-bar").getByRole("button", { name: "Analyse" }).waitFor();
     await look("review");
     await page.locator("#game-bar").getByRole("button", { name: "Analyse" }).click();
