@@ -115,6 +115,18 @@ def breaker(found: Experiments) -> list[list[str]]:
     return rows
 
 
+def own_break(found: Experiments) -> list[list[str]]:
+    """The own break against a full one from the middle, among equals."""
+    keeps = ["own break keeps the turn, %", "centre break keeps the turn, %"]
+    rows = [["Game", "frames", "points, %", *keeps, "bar, %"]]
+    for name, match in found.items():
+        if name.startswith("own-break-"):
+            kept = [share(count["kept"], count["breaks"]) for count in match["counts"]]
+            game = name.removeprefix("own-break-")
+            rows.append([game, str(2 * match["pairs"]), points(match), *kept, "57"])
+    return rows
+
+
 def matrix(found: Experiments) -> list[list[str]]:
     """Points of the player of the row against that of the column."""
     matches = [match for name, match in found.items() if name.startswith("matrix-")]
@@ -353,6 +365,7 @@ TABLES = {
     "run-outs": run_outs,
     "high-runs": high_runs,
     "breaker": breaker,
+    "own-break": own_break,
     "stated": stated,
     "matrix": matrix,
     "strength": strength,

@@ -168,6 +168,18 @@ def test_settings_of_a_player_stand_in_its_name(tmp_path: Path) -> None:
     assert entry["settings"] == {"player": "carom", "settings": {"shift": False, "value": "markov"}}
 
 
+def test_a_player_may_break_from_the_middle(tmp_path: Path) -> None:
+    result = carom.play_match(
+        "carom[break=center]:3000", "carom:40", out=tmp_path / "m", game="nine-ball", pairs=1
+    )
+    assert result.record is not None
+    frames = [json.loads(line) for line in result.record.read_text().splitlines()[1:3]]
+    first = next(frame for frame in frames if frame["seats"][0] == 0)["moves"][0]["play"]
+    assert first["strike"]["speed"] == 8.0
+    assert first["cue_ball"][0] == pytest.approx(0.635)
+    assert (first["strike"]["side"], first["strike"]["height"]) == (0.0, 0.0)
+
+
 def test_a_test_ends_a_match_that_is_decided(tmp_path: Path) -> None:
     # A player whose time is over at once loses every frame.
     result = carom.play_match(
@@ -198,6 +210,7 @@ def test_a_test_ends_a_match_that_is_decided(tmp_path: Path) -> None:
         ("one", {"one": "someone"}),
         ("other", {"other": "carom:x"}),
         ("one.exploring", {"one": "carom[exploring=2]"}),
+        ("one.break", {"one": "carom[break=rail]"}),
         ("other", {"other": 5}),
         ("out", {"out": 5}),
         ("game", {"game": "billiards"}),

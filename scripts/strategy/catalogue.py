@@ -61,6 +61,12 @@ for game in ("eight-ball", "nine-ball"):
             "carom:3000", "carom:3000", pairs=150, game=game, noise=noise, breaker=0
         )
 
+# What the own break is worth: equal players, one of which breaks full from the middle at 8 m/s.
+for game in ("eight-ball", "nine-ball"):
+    EXPERIMENTS[f"own-break-{game}"] = Match(
+        "carom:5000", "carom[break=center]:5000", pairs=200, game=game
+    )
+
 # Everybody against everybody.
 for k, other in enumerate(MATRIX):
     for one in MATRIX[:k]:

@@ -2,6 +2,7 @@
 
 use carom::Error;
 use carom::format::Reader;
+use carom::rack::Game;
 
 use crate::breaks::BreakShot;
 
@@ -24,6 +25,30 @@ pub enum SearchMethod {
     /// Monte Carlo tree search with kernel regression (Yee, Lisý & Bowling 2016). The settings
     /// `shift`, `allocation`, `replying` and `finalists` belong to the race.
     KrUct,
+}
+
+/// How the searching player chooses its opening shots.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum BreakChoice {
+    /// The best known break of the table and its variants are compared in the rack that is there.
+    #[default]
+    Searched,
+    /// A full hit from the middle of the head string at the game's usual speed
+    /// ([`carom::rack::Game::break_speed`]), in every rack.
+    Center,
+    /// This one, in every rack.
+    Given(BreakShot),
+}
+
+impl BreakChoice {
+    /// The shot that is played in every rack of `game`; none if it is searched.
+    pub(crate) fn fixed(self, game: Game) -> Option<BreakShot> {
+        match self {
+            Self::Searched => None,
+            Self::Center => Some(BreakShot::center(game.break_speed())),
+            Self::Given(shot) => Some(shot),
+        }
+    }
 }
 
 /// How the searching player searches.
@@ -61,8 +86,8 @@ pub struct SearchSettings {
     /// A frame is conceded if the expected chance of winning is below this. Only in snooker, where
     /// points behind cannot always be made up.
     pub concede_below: f64,
-    /// The opening shot of every rack; `None` if it is searched.
-    pub break_shot: Option<BreakShot>,
+    /// The opening shots.
+    pub break_shot: BreakChoice,
 }
 
 impl Default for SearchSettings {
@@ -82,7 +107,7 @@ impl Default for SearchSettings {
             allocation: Allocation::Halving,
             stated: 1,
             concede_below: 0.001,
-            break_shot: None,
+            break_shot: BreakChoice::Searched,
         }
     }
 }
@@ -104,7 +129,7 @@ impl SearchSettings {
     }
 
     /// The names of the settings that [`Self::read`] knows.
-    pub const KEYS: [&str; 12] = [
+    pub const KEYS: [&str; 13] = [
         "method",
         "exploring",
         "racing",
@@ -117,6 +142,7 @@ impl SearchSettings {
         "shift",
         "common-errors",
         "allocation",
+        "break",
     ];
 
     /// The settings of an object with some of [`Self::KEYS`]; the others keep their defaults.
@@ -164,6 +190,13 @@ impl SearchSettings {
                 word => return Err(value.unknown_word(word, "allocation", &["halving", "ocba"])),
             };
         }
+        if let Some(value) = object.get("break") {
+            settings.break_shot = match value.text("searched or center")? {
+                "searched" => BreakChoice::Searched,
+                "center" => BreakChoice::Center,
+                word => return Err(value.unknown_word(word, "break", &["searched", "center"])),
+            };
+        }
         Ok(settings)
     }
 
@@ -195,8 +228,11 @@ impl SearchSettings {
                 return Err(Error::input(place, "0 is out of range", "write at least 1"));
             }
         }
-        self.break_shot
-            .map_or(Ok(()), |shot| shot.check())
-            .map_err(|error| error.inside("settings.break_shot"))
+        match self.break_shot {
+            BreakChoice::Searched | BreakChoice::Center => Ok(()),
+            BreakChoice::Given(shot) => {
+                shot.check().map_err(|error| error.inside("settings.break_shot"))
+            }
+        }
     }
 }

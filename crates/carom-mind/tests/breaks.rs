@@ -7,8 +7,12 @@ use carom::{Error, Noise};
 use carom_mind::breaks::{BreakCounts, BreakShot, Fit, entries, found};
 use carom_mind::search::{BreakSearch, Racks};
 use carom_mind::value::Logistic;
-use carom_mind::{Answer, Budget, Decision, Player, SearchSettings, Searcher, Situation};
+use carom_mind::{
+    Answer, BreakChoice, Budget, Decision, Player, SearchSettings, Searcher, Situation,
+};
 use carom_rules::{Frame, Options, Rules};
+
+const SEARCHED: BreakChoice = BreakChoice::Searched;
 
 fn new_frame(rules: Rules, physics: Option<&str>) -> Frame {
     Frame::new(rules, Options::default(), None, physics.map(Node::from), 0).expect("a frame")
@@ -25,7 +29,7 @@ fn count(frame: &Frame, noise: Noise, shot: BreakShot, racks: u64) -> BreakCount
     counts[0]
 }
 
-fn decide(frame: &Frame, budget: &Budget<'_>, break_shot: Option<BreakShot>) -> Decision {
+fn decide(frame: &Frame, budget: &Budget<'_>, break_shot: BreakChoice) -> Decision {
     let settings = SearchSettings { break_shot, ..SearchSettings::default() };
     let mut player = Searcher::new("p", Box::new(Logistic), settings).expect("a player");
     let situation = Situation::new(frame, Noise::olympiad(1.0), 5);
@@ -111,7 +115,7 @@ fn a_small_budget_plays_the_known_break_itself() {
         let frame = new_frame(rules, None);
         let (entry, fit) = found(&frame, &Noise::olympiad(1.0)).expect("an entry");
         assert_eq!(fit, Fit::Same);
-        let decision = decide(&frame, &Budget::simulations(20), None);
+        let decision = decide(&frame, &Budget::simulations(20), SEARCHED);
         let own = entry.shot.play(&frame).expect("a play");
         assert_eq!(decision.answer, Answer::Play(own), "{}", rules.name());
     }
@@ -121,19 +125,34 @@ fn a_small_budget_plays_the_known_break_itself() {
 fn a_table_without_a_known_break_gets_one_by_search_and_the_rounds_repeat_it() {
     let frame = new_frame(Rules::NineBall, Some("pool-worn-cloth"));
     let budget = |threads| Budget { runner: runner(threads), ..Budget::simulations(6000) };
-    let decision = decide(&frame, &budget(1), None);
-    assert_eq!(decide(&frame, &budget(2), None), decision);
+    let decision = decide(&frame, &budget(1), SEARCHED);
+    assert_eq!(decide(&frame, &budget(2), SEARCHED), decision);
     assert!(decision.spent.rounds >= 4, "generations are rounds: {:?}", decision.spent);
     let ended = |spent: carom_mind::Spent| spent.rounds >= 3;
     let clock = Budget { is_over: &ended, ..Budget::simulations(6000) };
-    let timed = decide(&frame, &clock, None);
+    let timed = decide(&frame, &clock, SEARCHED);
     let rounds = Some(timed.spent.rounds);
-    assert_eq!(decide(&frame, &Budget { rounds, ..Budget::simulations(6000) }, None), timed);
+    assert_eq!(decide(&frame, &Budget { rounds, ..Budget::simulations(6000) }, SEARCHED), timed);
     // A small budget has the break of a similar table.
-    let small = decide(&frame, &Budget::simulations(20), None);
+    let small = decide(&frame, &Budget::simulations(20), SEARCHED);
     let (entry, fit) = found(&frame, &Noise::olympiad(1.0)).expect("an entry");
     assert_eq!(fit, Fit::Similar);
     assert_eq!(small.answer, Answer::Play(entry.shot.play(&frame).expect("a play")));
+}
+
+#[test]
+fn a_break_that_suits_the_rack_keeps_the_speeds_of_the_search() {
+    let mut differ = false;
+    for seed in 0..6 {
+        let frame = new_frame(Rules::EightBall, None).with_seed(seed).expect("a rack");
+        let Answer::Play(play) = decide(&frame, &Budget::simulations(6000), SEARCHED).answer else {
+            panic!("no play")
+        };
+        assert!((7.5..=12.0).contains(&play.strike.speed), "{seed}: {:?}", play.strike);
+        let (entry, _) = found(&frame, &Noise::olympiad(1.0)).expect("an entry");
+        differ |= play != entry.shot.play(&frame).expect("a play");
+    }
+    assert!(differ, "the breaks are searched in their racks");
 }
 
 #[test]
@@ -141,17 +160,23 @@ fn a_given_break_is_played_for_every_rack_and_an_impossible_one_is_refused() {
     let shot = BreakShot::center(8.0);
     for seed in 0..3 {
         let frame = new_frame(Rules::EightBall, None).with_seed(seed).expect("a rack");
-        let decision = decide(&frame, &Budget::simulations(300), Some(shot));
-        assert_eq!(decision.answer, Answer::Play(shot.play(&frame).expect("a play")));
+        for choice in [BreakChoice::Given(shot), BreakChoice::Center] {
+            for simulations in [300, 5000] {
+                let decision = decide(&frame, &Budget::simulations(simulations), choice);
+                assert_eq!(decision.answer, Answer::Play(shot.play(&frame).expect("a play")));
+            }
+        }
     }
     let outside = BreakShot { across: 3.0, ..shot };
-    let settings = SearchSettings { break_shot: Some(outside), ..SearchSettings::default() };
+    let settings =
+        SearchSettings { break_shot: BreakChoice::Given(outside), ..SearchSettings::default() };
     match Searcher::new("p", Box::new(Logistic), settings) {
         Err(Error::Input(e)) => assert_eq!(e.place, "settings.break_shot.across"),
         _ => panic!("a place outside the region was accepted"),
     }
     let miscue = BreakShot { side: 0.9, ..shot };
-    let settings = SearchSettings { break_shot: Some(miscue), ..SearchSettings::default() };
+    let settings =
+        SearchSettings { break_shot: BreakChoice::Given(miscue), ..SearchSettings::default() };
     let mut player = Searcher::new("p", Box::new(Logistic), settings).expect("a player");
     let frame = new_frame(Rules::EightBall, None);
     let situation = Situation::new(&frame, Noise::NONE, 0);

@@ -278,6 +278,16 @@ pub(crate) fn variants(
     Ok(kept)
 }
 
+/// The least and the greatest speed of the cue in the opening shots of these rules, m/s.
+pub(crate) const fn speeds(rules: Rules) -> [f64; 2] {
+    match rules {
+        Rules::EightBall | Rules::NineBall | Rules::TenBall | Rules::Practice => [SLOWEST, FASTEST],
+        Rules::StraightPool => [1.0, 8.0],
+        Rules::Snooker => [2.0, 7.0],
+        Rules::ThreeCushion => [1.6, 7.0],
+    }
+}
+
 fn unplayable() -> Error {
     let what = "no break can be played on this table";
     Error::input("frame", what, "look at the places of the balls")
@@ -319,14 +329,12 @@ impl Space {
         let radius = frame.layout().balls()[cue].ball.radius;
         let most_offset = largest_offset(shot, noise, radius);
         let offset = most_offset.min(BREAK_OFFSET);
+        let speed = speeds(frame.rules());
         // A rack of fifteen is ten radii wide; its corner ball is hit thinly at about ±6.
-        let (aim, speed, offset) = match frame.rules() {
-            Rules::EightBall | Rules::NineBall | Rules::TenBall | Rules::Practice => {
-                (2.0, [SLOWEST, FASTEST], offset)
-            }
-            Rules::StraightPool => (7.0, [1.0, 8.0], offset),
-            Rules::Snooker => (7.0, [2.0, 7.0], offset),
-            Rules::ThreeCushion => (2.0, [1.6, 7.0], most_offset),
+        let (aim, offset) = match frame.rules() {
+            Rules::EightBall | Rules::NineBall | Rules::TenBall | Rules::Practice => (2.0, offset),
+            Rules::StraightPool | Rules::Snooker => (7.0, offset),
+            Rules::ThreeCushion => (2.0, most_offset),
         };
         let is_symmetric = frame.turn().is_some_and(|turn| turn.hand.is_some());
         Ok(Self {

@@ -5,6 +5,7 @@ use carom::resolve::cue_ball::Strike;
 use carom::table::PocketName;
 use carom_rules::{BallIndex, Call, Frame, Play, Seat, Turn};
 
+use super::break_search::speeds;
 use super::candidate::{Candidate, PlayKind};
 use crate::line::Line;
 use crate::player::Situation;
@@ -14,6 +15,9 @@ use carom_plan::{Prepared, Sampler};
 
 /// A pot on a direct line, and its azimuth.
 pub(crate) type DirectPot = ((BallIndex, PocketName), f64);
+
+/// The speeds of other shots than the opening one: anything above 0.
+const ANY_SPEED: [f64; 2] = [f64::MIN_POSITIVE, f64::INFINITY];
 
 /// Finds candidates for one request.
 pub(crate) struct Explorer<'a> {
@@ -28,6 +32,8 @@ pub(crate) struct Explorer<'a> {
     pub(crate) plays: u64,
     /// Most simulations.
     pub(crate) most: u64,
+    /// Least and greatest speed of the cue near the best plays, m/s.
+    pub(crate) speeds: [f64; 2],
     pub(crate) found: Vec<Candidate>,
     /// Whether the windows of pots are measured, which takes about ten simulations of each.
     pub(crate) measures_windows: bool,
@@ -42,15 +48,17 @@ impl<'a> Explorer<'a> {
         turn: &'a Turn,
         most: u64,
     ) -> Self {
+        let frame = situation.frame;
         Self {
             situation,
             value,
             turn,
-            targets: Targets::of(situation.frame, turn),
+            targets: Targets::of(frame, turn),
             sampler: Sampler::new(),
-            successor: situation.frame.clone(),
+            successor: frame.clone(),
             plays: 0,
             most,
+            speeds: if frame.is_opening() { speeds(frame.rules()) } else { ANY_SPEED },
             found: Vec::new(),
             measures_windows: false,
             direct_pots: Vec::new(),

@@ -50,12 +50,13 @@ pub(crate) fn opening_shots(
     (budget, spent): (&Budget<'_>, &mut Spent),
 ) -> Result<Vec<BreakShot>, Error> {
     let frame = situation.frame;
-    if let Some(shot) = settings.break_shot {
+    let game = frame.rules().rack();
+    if let Some(shot) = settings.break_shot.fixed(game) {
         let played = shot.play(frame);
         return played.map(|_| vec![shot]).map_err(|error| error.inside("settings.break_shot"));
     }
     let known = found(frame, &situation.noise[turn.player]);
-    let usual = BreakShot::center(frame.rules().rack().break_speed());
+    let usual = BreakShot::center(game.break_speed());
     let mut shots = vec![known.map_or(usual, |(entry, _)| entry.shot)];
     let is_known = known.is_some_and(|(_, fit)| fit == Fit::Same);
     if !is_known && budget.simulations >= LEAST_TO_SEARCH {

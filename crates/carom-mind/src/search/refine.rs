@@ -73,7 +73,9 @@ impl Explorer<'_> {
         let side = meant.side + OFFSET * aside;
         let height = meant.height + OFFSET * higher;
         let strike = Strike { speed: meant.speed * (1.0 + FASTER * faster), side, height, ..meant };
-        if strike.offset() > most.max(meant.offset()) {
+        let [slowest, fastest] = self.speeds;
+        let is_in_range = (slowest..=fastest).contains(&strike.speed);
+        if !is_in_range || strike.offset() > most.max(meant.offset()) {
             return Ok(());
         }
         match (candidate.kind, line) {

@@ -15,7 +15,7 @@ use super::shift::{deviations, uphill};
 use super::windows::direct_pots;
 use crate::breaks::BreakShot;
 use crate::player::{Budget, Situation, Spent};
-use crate::settings::{SearchMethod, SearchSettings};
+use crate::settings::{BreakChoice, SearchMethod, SearchSettings};
 use crate::value::Value;
 use carom_plan::Prepared;
 
@@ -204,7 +204,7 @@ impl Rounds {
             self.candidates.truncate(KEPT);
             known = self.candidates.len();
             if settings.shift && !in_tree {
-                shift(&mut self.candidates, &race);
+                shift(&mut self.candidates, &race, explorer.speeds);
             }
             explorer.measures_windows = true;
             let made = self.lines.iter().filter(|known| known.is_made());
@@ -244,7 +244,9 @@ impl Rounds {
         self.spent.rounds += 1;
         self.races += 1;
         let left = self.racing.saturating_sub(self.spent.simulations);
-        self.is_complete = is_last || left == 0;
+        // Further rounds would change a break that is to be the same in every rack.
+        let is_fixed = settings.break_shot != BreakChoice::Searched && situation.frame.is_opening();
+        self.is_complete = is_last || left == 0 || is_fixed;
         self.size = round_size((GROWTH * self.size as f64) as u64, left);
         Ok(true)
     }
@@ -389,8 +391,8 @@ fn distinct_first(candidates: &mut Vec<Candidate>) {
     candidates.extend(rest);
 }
 
-/// Adds the finalists moved uphill.
-fn shift(candidates: &mut Vec<Candidate>, race: &Race<'_>) {
+/// Adds the finalists moved uphill, within `speeds` (the least and the greatest, m/s).
+fn shift(candidates: &mut Vec<Candidate>, race: &Race<'_>, speeds: [f64; 2]) {
     let frame = race.situation.frame;
     let Some(turn) = frame.turn() else { return };
     let radius = frame.layout().balls()[usize::from(turn.cue)].ball.radius;
@@ -402,7 +404,8 @@ fn shift(candidates: &mut Vec<Candidate>, race: &Race<'_>) {
         .filter_map(|candidate| {
             let shot = race.prepared[candidate.place].shot();
             let most = super::pots::largest_offset(shot, noise, radius);
-            let strike = uphill(candidate, &deviations, most.max(candidate.play.strike.offset()))?;
+            let most = most.max(candidate.play.strike.offset());
+            let strike = uphill(candidate, &deviations, (speeds, most))?;
             let play = carom_rules::Play { strike, ..candidate.play };
             let (samples, prior) = (Vec::new(), candidate.mean());
             Some(Candidate { play, samples, prior, correction: 0.0, ..candidate.clone() })

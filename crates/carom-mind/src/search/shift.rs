@@ -38,9 +38,13 @@ pub(crate) fn moved(strike: &Strike, deviations: &[f64; 4], steps: &[f64; 4]) ->
 }
 
 /// The intended strike near that of `candidate` with the highest estimated value; none if there
-/// are too few samples, or no better one. `most` is the largest tip offset of an intention, ball
-/// radii.
-pub(crate) fn uphill(candidate: &Candidate, deviations: &[f64; 4], most: f64) -> Option<Strike> {
+/// are too few samples, or no better one. An intention has one of `speeds` (the least and the greatest,
+/// m/s), and a tip offset of at most `most` ball radii.
+pub(crate) fn uphill(
+    candidate: &Candidate,
+    deviations: &[f64; 4],
+    ([slowest, fastest], most): ([f64; 2], f64),
+) -> Option<Strike> {
     let samples = &candidate.samples;
     if samples.len() < LEAST_SAMPLES {
         return None;
@@ -59,7 +63,8 @@ pub(crate) fn uphill(candidate: &Candidate, deviations: &[f64; 4], most: f64) ->
                 let mut next = best;
                 next[k] += sign * step;
                 let strike = moved(meant, deviations, &next);
-                if strike.speed <= 0.0 || strike.offset() > most {
+                let is_in_range = (slowest..=fastest).contains(&strike.speed);
+                if !is_in_range || strike.offset() > most {
                     continue;
                 }
                 if let Some(higher) = estimate(&errors, &next).filter(|e| *e > value) {
@@ -115,6 +120,9 @@ mod tests {
     const MEANT: Strike =
         Strike { speed: 2.0, azimuth: 1.0, elevation: 0.05, side: 0.1, height: 0.0 };
 
+    /// Speeds that restrict nothing.
+    const SPEEDS: [f64; 2] = [0.0, 100.0];
+
     /// A candidate whose samples have the value of `hill` at the executed strike.
     fn candidate(noise: &Noise, count: u64, hill: impl Fn(&Strike) -> f64) -> Candidate {
         let struck = StruckBall { radius: 0.028575, largest_offset: 0.5 };
@@ -152,7 +160,7 @@ mod tests {
             let off = (strike.azimuth - top) / noise.azimuth;
             math::exp(-off * off)
         };
-        let moved = uphill(&candidate(&noise, 400, hill), &deviations, 0.5).unwrap();
+        let moved = uphill(&candidate(&noise, 400, hill), &deviations, (SPEEDS, 0.5)).unwrap();
         let share = (moved.azimuth - MEANT.azimuth) / noise.azimuth;
         assert!((0.4..1.2).contains(&share), "{share}");
     }
@@ -161,15 +169,26 @@ mod tests {
     fn few_samples_and_level_ground_move_nothing() {
         let noise = Noise::olympiad(1.0);
         let deviations = deviations(&noise, 0.028575);
-        assert_eq!(uphill(&candidate(&noise, 20, |s| s.azimuth), &deviations, 0.5), None);
-        assert_eq!(uphill(&candidate(&noise, 200, |_| 0.5), &deviations, 0.5), None);
+        assert_eq!(uphill(&candidate(&noise, 20, |s| s.azimuth), &deviations, (SPEEDS, 0.5)), None);
+        assert_eq!(uphill(&candidate(&noise, 200, |_| 0.5), &deviations, (SPEEDS, 0.5)), None);
+    }
+
+    #[test]
+    fn an_intention_stays_within_the_speeds() {
+        let noise = Noise::olympiad(1.0);
+        let deviations = deviations(&noise, 0.028575);
+        let candidate = candidate(&noise, 400, |strike| strike.speed);
+        let speed = |speeds| uphill(&candidate, &deviations, (speeds, 0.5)).unwrap().speed;
+        assert!(speed(SPEEDS) > MEANT.speed + 0.4 * noise.speed);
+        let fastest = MEANT.speed + 0.2 * noise.speed;
+        assert!((MEANT.speed..=fastest).contains(&speed([0.0, fastest])));
     }
 
     #[test]
     fn an_intention_stays_within_the_largest_tip_offset() {
         let noise = Noise::olympiad(1.0);
         let deviations = deviations(&noise, 0.028575);
-        let moved = uphill(&candidate(&noise, 400, |s| s.side), &deviations, 0.11);
+        let moved = uphill(&candidate(&noise, 400, |s| s.side), &deviations, (SPEEDS, 0.11));
         assert!(moved.is_none_or(|strike| strike.offset() <= 0.11), "{moved:?}");
     }
 }
