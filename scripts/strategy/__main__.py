@@ -45,7 +45,10 @@ def main() -> int:
     chosen = {
         name: experiment
         for name, experiment in EXPERIMENTS.items()
-        if any(part in name for part in arguments.names or [""])
+        if any(
+            name == wanted or (wanted not in EXPERIMENTS and wanted in name)
+            for wanted in arguments.names or [""]
+        )
     }
     if not chosen:
         parser.error(f"there is no experiment {', '.join(arguments.names)}; see --list")
