@@ -118,12 +118,13 @@ def breaker(found: Experiments) -> list[list[str]]:
 def own_break(found: Experiments) -> list[list[str]]:
     """The own break against a full one from the middle, among equals."""
     keeps = ["own break keeps the turn, %", "centre break keeps the turn, %"]
-    rows = [["Game", "frames", "points, %", *keeps, "bar, %"]]
+    rows = [["Game", "simulations", "frames", "points, %", *keeps, "bar, %"]]
     for name, match in found.items():
         if name.startswith("own-break-"):
             kept = [share(count["kept"], count["breaks"]) for count in match["counts"]]
-            game = name.removeprefix("own-break-")
-            rows.append([game, str(2 * match["pairs"]), points(match), *kept, "57"])
+            game, _, simulations = name.removeprefix("own-break-").rpartition("-")
+            cells = [game, simulations, str(2 * match["pairs"]), points(match)]
+            rows.append([*cells, *kept, "57"])
     return rows
 
 

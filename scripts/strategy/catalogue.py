@@ -63,9 +63,10 @@ for game in ("eight-ball", "nine-ball"):
 
 # What the own break is worth: equal players, one of which breaks full from the middle at 8 m/s.
 for game in ("eight-ball", "nine-ball"):
-    EXPERIMENTS[f"own-break-{game}"] = Match(
-        "carom:5000", "carom[break=center]:5000", pairs=200, game=game
-    )
+    for simulations, pairs in ((5000, 200), (10_000, 300)):
+        EXPERIMENTS[f"own-break-{game}-{simulations}"] = Match(
+            f"carom:{simulations}", f"carom[break=center]:{simulations}", pairs=pairs, game=game
+        )
 
 # Everybody against everybody.
 for k, other in enumerate(MATRIX):
