@@ -2,9 +2,6 @@
 //! added to the file when it is found. So an interrupted run continues where it stopped. To search a
 //! break again, remove its line.
 //!
-//! In eight-, nine- and ten-ball the breaks of several searches and full hits from the middle are then
-//! compared in frames that are played to their end, because values of positions favour some breaks.
-//!
 //! ```sh
 //! cargo run --release -p carom-mind --example find_breaks
 //! cargo run --release -p carom-mind --example find_breaks -- --only nine-ball,wpa-9ft,1 --threads 1
@@ -26,13 +23,10 @@ use carom::edition::{TABLES, find};
 use carom::format::Node;
 use carom::runner::Runner;
 use carom_mind::Situation;
-use carom_mind::breaks::{BreakCounts, BreakShot, Fit, FoundBreak, found as shipped};
+use carom_mind::breaks::{BreakCounts, BreakShot, FoundBreak};
 use carom_mind::search::{BreakSearch, Racks};
 use carom_mind::value::Logistic;
 use carom_rules::{Frame, Options, Rules};
-use playouts::Playouts;
-
-mod playouts;
 
 /// The breaks that are shipped: games with their tables.
 const WANTED: [(Rules, &[&str]); 6] = [
@@ -47,17 +41,8 @@ const POOL: [&str; 4] = ["wpa-9ft", "wpa-8ft", "bar-7ft", "poolfiz"];
 /// Multiples of the Olympiad's errors.
 const NOISES: [f64; 3] = [1.0, 0.5, 2.0];
 /// Searches with different seeds for each break, and the simulations of each.
-const SEARCHES: u64 = 4;
+const SEARCHES: u64 = 2;
 const SIMULATIONS: u64 = 38_400;
-/// Speeds of the full hits from the middle that are compared with the found breaks, m/s.
-const CENTER_SPEEDS: [f64; 4] = [8.0, 9.0, 10.5, 12.0];
-/// Frames of each break in the first comparison. The better half has twice as many in the next one.
-const FRAMES: u64 = 150;
-/// Frames that are played with the best break, and the number of the first one.
-const FINAL_FRAMES: u64 = 1000;
-const FINAL_FRAME: u64 = 1 << 40;
-/// Simulations of a decision in these frames.
-const PER_DECISION: u64 = 300;
 /// Racks of the counts, one in how many is searched for its next shot, the simulations of such a
 /// search, and the seed. The same seed for all breaks, so that
 /// they are compared on the same racks.
@@ -113,21 +98,11 @@ fn add(
     let frame = Frame::new(rules, Options::default(), Some(Node::from(table)), None, 0)?;
     let value = Logistic;
     let of_player = Noise::olympiad(noise);
-    let is_hard = matches!(rules, Rules::EightBall | Rules::NineBall | Rules::TenBall);
-    let speeds: &[f64] = if is_hard { &CENTER_SPEEDS } else { &[] };
-    let mut found: Vec<BreakShot> = speeds.iter().map(|v| BreakShot::center(*v)).collect();
-    // The break that is shipped now.
-    found.extend(
-        shipped(&frame, &of_player)
-            .filter(|(_, fit)| *fit == Fit::Same)
-            .map(|(entry, _)| entry.shot),
-    );
+    let mut found: Vec<BreakShot> = Vec::new();
     let mut spent = 0;
     for seed in 0..SEARCHES {
         let situation = Situation::new(&frame, of_player, seed << 48);
-        // Every second search begins with what is known.
-        let start = if seed % 2 == 0 { found.clone() } else { Vec::new() };
-        let search = BreakSearch::new(&situation, &value, simulations, &start)?;
+        let search = BreakSearch::new(&situation, &value, simulations, &[])?;
         let (shot, counts, plays) = search.run(runner)?;
         spent += plays;
         eprintln!("{key} {shot:?} {:.3} ± {:.3}", counts.win, counts.error);
@@ -136,50 +111,18 @@ fn add(
     let situation = Situation::new(&frame, of_player, SEED);
     let racks = Racks::new(&situation, &value)?.with_replies(EVERY, PER_REPLY);
     // The winner is chosen on other racks than those of its counts.
-    let playouts = Playouts { start: &frame, noise: of_player, simulations: PER_DECISION };
-    let shot = if is_hard {
-        winner(found, &playouts, runner)?
-    } else {
-        let (counts, _) = racks.count(&found, 0, RACKS / 4, runner)?;
-        let best = (0..found.len()).max_by(|a, b| counts[*a].win.total_cmp(&counts[*b].win));
-        found[best.ok_or("no search")?]
-    };
+    let (counts, _) = racks.count(&found, 0, RACKS / 4, runner)?;
+    let best = (0..found.len()).max_by(|a, b| counts[*a].win.total_cmp(&counts[*b].win));
+    let shot = found[best.ok_or("no search")?];
     let (counts, _) = racks.count(&[shot], RACKS, RACKS, runner)?;
-    let mut counts = counts[0];
-    if is_hard {
-        let last = FINAL_FRAME + FINAL_FRAMES;
-        counts.win = playouts.share(&shot, FINAL_FRAME..last, runner)?;
-        counts.error = (counts.win * (1.0 - counts.win) / FINAL_FRAMES as f64).sqrt();
-    }
     let version = env!("CARGO_PKG_VERSION");
+    let counts = counts[0];
     let entry =
         FoundBreak { rules, table: dated, noise, shot, counts, simulations: spent, version };
     let mut file = OpenOptions::new().append(true).open(data())?;
     writeln!(file, "{}", entry.line())?;
     eprintln!("{}  {:.0} s", entry.line(), began.elapsed().as_secs_f64());
     Ok(())
-}
-
-/// The break that wins most frames that are played to their end, by sequential halving.
-fn winner(
-    mut shots: Vec<BreakShot>,
-    playouts: &Playouts<'_>,
-    runner: &Runner,
-) -> Result<BreakShot, Box<dyn Error>> {
-    let (mut first, mut frames) = (0, FRAMES);
-    while shots.len() > 1 {
-        let mut rated = Vec::new();
-        for shot in shots {
-            rated.push((shot, playouts.share(&shot, first..first + frames, runner)?));
-        }
-        rated.sort_by(|a, b| b.1.total_cmp(&a.1));
-        for (shot, share) in &rated {
-            eprintln!("  {:.1} % of {frames} frames: {shot:?}", 100.0 * share);
-        }
-        shots = rated.iter().take(rated.len() / 2).map(|one| one.0).collect();
-        (first, frames) = (first + frames, 2 * frames);
-    }
-    shots.pop().ok_or_else(|| "no break".into())
 }
 
 /// The found breaks as a table in Markdown.
