@@ -23,7 +23,7 @@ use carom::edition::{TABLES, find};
 use carom::format::Node;
 use carom::runner::Runner;
 use carom_mind::Situation;
-use carom_mind::breaks::{BreakCounts, BreakShot, FoundBreak};
+use carom_mind::breaks::{BreakCounts, BreakShot, Fit, FoundBreak, found as shipped};
 use carom_mind::search::{BreakSearch, Racks};
 use carom_mind::value::Logistic;
 use carom_rules::{Frame, Options, Rules};
@@ -41,11 +41,13 @@ const POOL: [&str; 4] = ["wpa-9ft", "wpa-8ft", "bar-7ft", "poolfiz"];
 /// Multiples of the Olympiad's errors.
 const NOISES: [f64; 3] = [1.0, 0.5, 2.0];
 /// Searches with different seeds for each break, and the simulations of each.
-const SEARCHES: u64 = 2;
-const SIMULATIONS: u64 = 38_400;
+const SEARCHES: u64 = 4;
+const SIMULATIONS: u64 = 150_000;
+/// Speeds of the full hits from the middle with which every second search of a hard break begins, m/s.
+const CENTER_SPEEDS: [f64; 4] = [8.0, 9.0, 10.5, 12.0];
 /// Racks of the counts, one in how many is searched for its next shot, the simulations of such a
-/// search, and the seed. The same seed for all breaks, so that
-/// they are compared on the same racks.
+/// search, and the seed. The same seed for all breaks, so that they are
+/// compared on the same racks.
 const RACKS: u64 = 2000;
 const EVERY: u64 = 8;
 const PER_REPLY: u64 = 160;
@@ -98,11 +100,19 @@ fn add(
     let frame = Frame::new(rules, Options::default(), Some(Node::from(table)), None, 0)?;
     let value = Logistic;
     let of_player = Noise::olympiad(noise);
-    let mut found: Vec<BreakShot> = Vec::new();
+    let is_hard = matches!(rules, Rules::EightBall | Rules::NineBall | Rules::TenBall);
+    let speeds: &[f64] = if is_hard { &CENTER_SPEEDS } else { &[] };
+    let centers = speeds.iter().map(|speed| BreakShot::center(*speed));
+    // The break that is shipped now is compared with the new ones.
+    let known = shipped(&frame, &of_player).filter(|(_, fit)| *fit == Fit::Same);
+    let start: Vec<BreakShot> =
+        known.map(|(entry, _)| entry.shot).into_iter().chain(centers).collect();
+    let mut found = start.clone();
     let mut spent = 0;
     for seed in 0..SEARCHES {
         let situation = Situation::new(&frame, of_player, seed << 48);
-        let search = BreakSearch::new(&situation, &value, simulations, &[])?;
+        let start: &[BreakShot] = if seed % 2 == 0 { &start } else { &[] };
+        let search = BreakSearch::new(&situation, &value, simulations, start)?;
         let (shot, counts, plays) = search.run(runner)?;
         spent += plays;
         eprintln!("{key} {shot:?} {:.3} ± {:.3}", counts.win, counts.error);
@@ -111,8 +121,8 @@ fn add(
     let situation = Situation::new(&frame, of_player, SEED);
     let racks = Racks::new(&situation, &value)?.with_replies(EVERY, PER_REPLY);
     // The winner is chosen on other racks than those of its counts.
-    let (counts, _) = racks.count(&found, 0, RACKS / 4, runner)?;
-    let best = (0..found.len()).max_by(|a, b| counts[*a].win.total_cmp(&counts[*b].win));
+    let (counts, _) = racks.count(&found, 0, RACKS, runner)?;
+    let best = (0..found.len()).max_by(|a, b| counts[*a].compare(&counts[*b]));
     let shot = found[best.ok_or("no search")?];
     let (counts, _) = racks.count(&[shot], RACKS, RACKS, runner)?;
     let version = env!("CARGO_PKG_VERSION");

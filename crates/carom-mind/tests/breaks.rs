@@ -1,5 +1,7 @@
 //! Breaks that are found by search, and those that are shipped.
 
+use std::cmp::Ordering;
+
 use carom::edition::{TABLES, find};
 use carom::format::Node;
 use carom::runner::Runner;
@@ -107,6 +109,17 @@ fn a_search_finds_a_good_break_with_the_same_bits_for_any_number_of_threads() {
     let own = count(&frame, noise, shot, 300);
     let soft = count(&frame, noise, BreakShot::center(4.0), 300);
     assert!(own.kept > soft.kept + 60, "{shot:?} {own:?} {soft:?}");
+}
+
+#[test]
+fn a_break_that_is_mostly_a_foul_is_below_the_others() {
+    let counts = |fouls, win| BreakCounts { breaks: 100, fouls, win, ..BreakCounts::default() };
+    assert_eq!(counts(51, 0.6).compare(&counts(50, 0.4)), Ordering::Less);
+    assert_eq!(counts(50, 0.6).compare(&counts(0, 0.4)), Ordering::Greater);
+    assert_eq!(counts(100, 0.6).compare(&counts(51, 0.7)), Ordering::Less);
+    for entry in entries() {
+        assert!(2 * entry.counts.fouls <= entry.counts.breaks, "{}", entry.line());
+    }
 }
 
 #[test]

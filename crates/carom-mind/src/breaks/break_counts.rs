@@ -1,5 +1,7 @@
 //! What a break does, counted.
 
+use std::cmp::Ordering;
+
 /// Counts of what a break does, over many racks.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct BreakCounts {
@@ -19,4 +21,15 @@ pub struct BreakCounts {
     pub win: f64,
     /// Its standard error, from the samples alone.
     pub error: f64,
+}
+
+impl BreakCounts {
+    /// Orders breaks by what they are worth: by the chance of winning, but a break that is a foul in
+    /// most of its racks is below all others. Otherwise a player of snooker would foul on purpose: who
+    /// misses the pack leaves the first shot to the opponent, for four points.
+    #[must_use]
+    pub fn compare(&self, other: &Self) -> Ordering {
+        let is_legal = |counts: &Self| 2 * counts.fouls <= counts.breaks;
+        is_legal(self).cmp(&is_legal(other)).then(self.win.total_cmp(&other.win))
+    }
 }

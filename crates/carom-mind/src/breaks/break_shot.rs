@@ -3,7 +3,7 @@
 use carom::math::{Vec2, asin, atan2, sqrt};
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, Table};
-use carom_rules::{Frame, Play, Region, Turn};
+use carom_rules::{Frame, Play, Region, Rules, Turn};
 
 use crate::scene::{Scene, SceneBall};
 use crate::targets::{Targets, call_of};
@@ -12,6 +12,23 @@ use carom_plan::Prepared;
 /// Distance that the cue ball keeps from the lines of its region and from the rails, m: rounding must
 /// not move it over a line.
 const SPARE: f64 = 1e-6;
+
+/// Fastest cue, m/s: the cue ball has 35 mph, about the fastest breaks that were measured. From memory,
+/// not verified.
+const FASTEST: f64 = 12.0;
+/// Slowest cue of a full break, m/s. Slower breaks leave clusters, and values of positions do not see how
+/// much harder a rack with clusters is to clear: a search without this limit plays ten-ball at 5 m/s.
+const SLOWEST: f64 = 7.5;
+
+/// The least and the greatest speed of the cue in the opening shots of these rules, m/s.
+pub(crate) const fn speeds(rules: Rules) -> [f64; 2] {
+    match rules {
+        Rules::EightBall | Rules::NineBall | Rules::TenBall | Rules::Practice => [SLOWEST, FASTEST],
+        Rules::StraightPool => [1.0, 8.0],
+        Rules::Snooker => [2.0, 7.0],
+        Rules::ThreeCushion => [1.6, 7.0],
+    }
+}
 
 /// An opening shot: the place of the cue ball, the hit of the first ball, and the stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]

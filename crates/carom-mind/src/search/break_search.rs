@@ -14,7 +14,7 @@ use rand_pcg::rand_core::Rng;
 
 use super::pots::largest_offset;
 use super::racks::{Corrections, Racks};
-use crate::breaks::{BreakCounts, BreakShot};
+use crate::breaks::{BreakCounts, BreakShot, speeds};
 use crate::player::Situation;
 use crate::value::Value;
 use carom_plan::{Prepared, two_sided_quantile};
@@ -47,12 +47,6 @@ const PER_BREAK: u64 = 8;
 /// First rack of the final comparison: far from all that the generations use.
 const FINAL_RACKS: u64 = 1 << 40;
 
-/// Fastest cue, m/s: the cue ball has 35 mph, about the fastest breaks that were measured. From memory,
-/// not verified.
-const FASTEST: f64 = 12.0;
-/// Slowest cue of a full break, m/s. Slower breaks leave clusters, and values of positions do not see how
-/// much harder a rack with clusters is to clear: a search without this limit plays ten-ball at 5 m/s.
-const SLOWEST: f64 = 7.5;
 /// Largest side and height that is tried in a full break, ball radii: two thirds of a tip. More costs
 /// speed and makes the cue ball swerve.
 const BREAK_OFFSET: f64 = 0.3;
@@ -278,16 +272,6 @@ pub(crate) fn variants(
     Ok(kept)
 }
 
-/// The least and the greatest speed of the cue in the opening shots of these rules, m/s.
-pub(crate) const fn speeds(rules: Rules) -> [f64; 2] {
-    match rules {
-        Rules::EightBall | Rules::NineBall | Rules::TenBall | Rules::Practice => [SLOWEST, FASTEST],
-        Rules::StraightPool => [1.0, 8.0],
-        Rules::Snooker => [2.0, 7.0],
-        Rules::ThreeCushion => [1.6, 7.0],
-    }
-}
-
 fn unplayable() -> Error {
     let what = "no break can be played on this table";
     Error::input("frame", what, "look at the places of the balls")
@@ -305,13 +289,12 @@ fn deviate(random: &mut Pcg64) -> f64 {
     two_sided_quantile(u.abs()) * u.signum()
 }
 
-/// The shots that can be played with their win chances, the best first.
+/// The shots that can be played with their win chances, the best first by [`BreakCounts::compare`].
 fn rated(shots: Vec<BreakShot>, counts: &[BreakCounts]) -> Vec<Rated> {
     let played = shots.into_iter().zip(counts).filter(|(_, counts)| counts.breaks > 0);
-    let mut rated: Vec<Rated> =
-        played.map(|(shot, counts)| Rated { shot, win: counts.win }).collect();
-    rated.sort_by(|a, b| b.win.total_cmp(&a.win));
-    rated
+    let mut played: Vec<(BreakShot, &BreakCounts)> = played.collect();
+    played.sort_by(|(_, a), (_, b)| b.compare(a));
+    played.into_iter().map(|(shot, counts)| Rated { shot, win: counts.win }).collect()
 }
 
 impl Space {

@@ -5,8 +5,8 @@ use carom::resolve::cue_ball::Strike;
 use carom::table::PocketName;
 use carom_rules::{BallIndex, Call, Frame, Play, Seat, Turn};
 
-use super::break_search::speeds;
 use super::candidate::{Candidate, PlayKind};
+use crate::breaks::speeds;
 use crate::line::Line;
 use crate::player::Situation;
 use crate::targets::Targets;
