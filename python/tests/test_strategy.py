@@ -47,6 +47,29 @@ def test_the_counts_of_a_match_are_those_of_its_record(modules: Any, tmp_path: P
         assert player["runs"] <= player["break_wins"] <= player["breaks"]
 
 
+def test_a_break_that_is_followed_by_a_choice_or_wins_keeps_the_turn(
+    modules: Any, tmp_path: Path
+) -> None:
+    play, choice = {"seat": 0, "play": {}}, {"seat": 0, "choice": "spot-eight"}
+    other = {"seat": 1, "play": {}}
+    frames = [
+        {"moves": moves, "seats": seats, "end": {"winner": winner}}
+        for moves, seats, winner in [
+            ([play, choice, other], [0, 1], 1),
+            ([play], [0, 1], 0),
+            ([play], [1, 0], 0),
+            ([play, other], [1, 0], 0),
+            ([play, play], [0, 1], 0),
+            ([play], [0, 1], None),
+        ]
+    ]
+    record = tmp_path / "match.jsonl"
+    record.write_text("\n".join(json.dumps(line) for line in [{}, *frames, {}]), "utf-8")
+    one, two = modules["matches"].counts(record)["counts"]
+    assert (one["breaks"], one["kept"]) == (4, 3)
+    assert (two["breaks"], two["kept"]) == (2, 0)
+
+
 def test_a_match_of_the_same_name_has_the_same_frames(modules: Any, tmp_path: Path) -> None:
     match = modules["matches"].Match("carom:40", "carom:60", pairs=1, game="nine-ball")
     one = match.play("a name", tmp_path / "one", 1)

@@ -81,9 +81,10 @@ class Match:
 def counts(record: Path) -> dict[str, Any]:
     """What the frames of a record have in common, for each player as the one who breaks.
 
-    ``breaks``, ``kept`` (the breaker shoots again), ``break_wins``, ``runs`` (break and run: the
-    other player never came to the table), ``pots`` (called pots after the break) and ``made``
-    (those that kept the turn), ``safeties``, ``decisions``, ``simulations`` and ``seconds``.
+    ``breaks``, ``kept`` (breaks after which the breaker answers the next request, or has won),
+    ``break_wins``, ``runs`` (break and run: the other player never came to the table), ``pots``
+    (called pots after the break) and ``made`` (those that kept the turn), ``safeties``,
+    ``decisions``, ``simulations`` and ``seconds``.
     """
     tally = [Counter[str](), Counter[str]()]
     lines = record.read_text(encoding="utf-8").splitlines()
@@ -92,7 +93,7 @@ def counts(record: Path) -> dict[str, Any]:
         winner = frame["end"]["winner"]
         breaker = tally[seats[0]]
         breaker["breaks"] += 1
-        breaker["kept"] += len(moves) > 1 and moves[1]["seat"] == 0 and "play" in moves[1]
+        breaker["kept"] += next_seat(frame, 0) == 0
         breaker["break_wins"] += winner == seats[0]
         breaker["runs"] += winner == seats[0] and all(move["seat"] == 0 for move in moves)
         for number, move in enumerate(moves):
@@ -104,11 +105,16 @@ def counts(record: Path) -> dict[str, Any]:
             call = (move.get("play", {}).get("call") or {}).get("kind")
             player["safeties"] += call == "safety"
             if call == "pocket" and number > 0:
-                last = number + 1 == len(moves)
-                next_seat = seats.index(winner) if last and winner is not None else None
-                next_seat = next_seat if last else moves[number + 1]["seat"]
                 player["pots"] += 1
-                player["made"] += next_seat == move["seat"]
+                player["made"] += next_seat(frame, number) == move["seat"]
     names = ("breaks", "kept", "break_wins", "runs", "pots", "made", "safeties", "decisions")
     names += ("simulations", "seconds")
     return {"counts": [{name: player[name] for name in names} for player in tally]}
+
+
+def next_seat(frame: dict[str, Any], number: int) -> int | None:
+    """The seat that answers the request after this move; after the last one that of the winner."""
+    moves, winner = frame["moves"], frame["end"]["winner"]
+    if number + 1 < len(moves):
+        return int(moves[number + 1]["seat"])
+    return None if winner is None else int(frame["seats"].index(winner))
