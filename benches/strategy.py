@@ -231,6 +231,8 @@ BARS = {
         70,
     ),
     "bar-carom-greedy": ("3000 a decision against greedy, same break", 80),
+    "bar-tutorial-x1": ("3000 a decision against the tutorial's planner, same break", 90),
+    "bar-tutorial-x0.5": ("the same at noise × 0.5", 90),
     "bar-5-ms-greedy": ("340 a decision against greedy with simulated aim, same break", 90),
     "bound-carom-pick-pocket": (
         "without errors, 3000 a decision against PickPocket, same break",

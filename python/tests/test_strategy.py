@@ -18,7 +18,7 @@ FOLDER = ROOT / "scripts" / "strategy"
 @pytest.fixture(scope="module")
 def modules() -> Any:
     """The modules of the folder, which import each other by name."""
-    names = ("catalogue", "matches", "visits", "endings", "stated")
+    names = ("catalogue", "matches", "visits", "endings", "stated", "tutorial")
     sys.path.insert(0, str(FOLDER))
     try:
         yield {name: __import__(name) for name in names}
@@ -99,6 +99,36 @@ def test_stated_chances_are_compared_with_other_errors(modules: Any, tmp_path: P
     (tmp_path / "stopped").mkdir()
     (tmp_path / "stopped" / "decisions.jsonl").write_text(rows[0] + "\n", encoding="utf-8")
     assert experiment.play("a test", tmp_path / "stopped", 1) == whole
+
+
+def test_frames_against_the_planner_of_the_tutorial_go_on_where_they_were_stopped(
+    modules: Any, tmp_path: Path
+) -> None:
+    experiment = modules["tutorial"].AgainstPlanner("carom:60", pairs=2)
+    whole = experiment.play("a test", tmp_path / "whole", 2)
+    rows = (tmp_path / "whole" / "frames.jsonl").read_text("utf-8").splitlines()
+    (tmp_path / "stopped").mkdir()
+    (tmp_path / "stopped" / "frames.jsonl").write_text(rows[0] + "\n", encoding="utf-8")
+    assert experiment.play("a test", tmp_path / "stopped", 1) == whole
+    points = [json.loads(row)["points"] for row in rows]
+    assert whole["share"] == pytest.approx(sum(points) / 4)
+
+
+def test_the_planner_of_the_tutorial_breaks_full_and_takes_a_ball_that_hangs(modules: Any) -> None:
+    planner = modules["tutorial"].tutorial_robots(carom.Noise.olympiad(0.0))["planner"]
+    strike, announced = planner(carom.Frame("eight-ball", seed=1))
+    assert (strike.speed, announced) == (8.0, {})
+    layout = carom.Shot("wpa-9ft", {"cue": (0.9, 1.9), "8": (0.2, 0.2), "1": (1.17, 2.44)})
+    _, announced = planner(carom.Frame.of_shot("eight-ball", layout))
+    assert (announced["call"].ball, announced["call"].into) == ("1", "top-right")
+
+
+def test_an_interval_of_pairs_is_that_of_a_match(modules: Any, tmp_path: Path) -> None:
+    result = carom.play_match("greedy:60", "deep-green-0:60", out=tmp_path / "m", pairs=6)
+    score = result.score
+    shares = [k / 4 for k, count in enumerate(score.pair_counts) for _ in range(count)]
+    ends = tuple(modules["tutorial"].interval(shares))
+    assert ends == pytest.approx(score.share_interval, abs=1e-4)
 
 
 @pytest.mark.parametrize("balls", [1, 7])

@@ -5,6 +5,7 @@ from __future__ import annotations
 from endings import Ending
 from matches import Match
 from stated import Stated
+from tutorial import AgainstPlanner
 from visits import Visits
 
 #: Multiples of the Olympiad's noise.
@@ -24,7 +25,7 @@ MATRIX = (
 )
 MATRIX_SIMULATIONS = 3000
 
-EXPERIMENTS: dict[str, Match | Visits | Ending | Stated] = {}
+EXPERIMENTS: dict[str, Match | Visits | Ending | Stated | AgainstPlanner] = {}
 
 # How often does the player who breaks run out?
 for game in ("eight-ball", "nine-ball"):
@@ -196,3 +197,6 @@ EXPERIMENTS["bound-carom-pick-pocket"] = Match(
 EXPERIMENTS["bar-5-ms-greedy"] = Match(
     "carom:340", "greedy[aim=simulated]:3000", pairs=300, same_break="head"
 )
+# The planner of the tutorial "Two robots at eight-ball", with its break.
+for noise in (0.5, 1.0):
+    EXPERIMENTS[f"bar-tutorial-x{noise:g}"] = AgainstPlanner("carom:3000", pairs=100, noise=noise)
