@@ -211,13 +211,18 @@ def search(found: Experiments) -> list[list[str]]:
     """Other searches against the default one, with what the sequential test accepts."""
     rows = [["Search", "simulations", "frames", "points against the default, %", "test"]]
     for key, title in SEARCHES.items():
-        for simulations in (5000, 50_000):
-            if match := found.get(f"search-{key}-{simulations}"):
-                test = match["test"]
-                accepted = f"{100 * test[test['accepted']]:g} %" if test["accepted"] else "open"
-                cells = [f"{simulations:,}", str(2 * match["pairs"]), points(match), accepted]
-                rows.append([title, *cells])
+        for effort in ("5000", "50000", "5000-fixed"):
+            if match := found.get(f"search-{key}-{effort}"):
+                cells = [f"{int(effort.removesuffix('-fixed')):,}", str(2 * match["pairs"])]
+                rows.append([title, *cells, points(match), verdict(match["test"])])
     return rows
+
+
+def verdict(test: JSON | None) -> str:
+    """What a sequential test accepts; nothing for a match of fixed length."""
+    if test is None:
+        return ""
+    return f"{100 * test[test['accepted']]:g} %" if test["accepted"] else "open"
 
 
 #: The matches with a bar: what is played, and the least points of the first player, %.

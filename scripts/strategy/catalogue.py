@@ -105,6 +105,11 @@ for simulations, pairs in ((5000, 120), (SECOND, 60)):
             test=(0.45, 0.55),
         )
 
+# A match of fixed length tells more of the search that is nearest to the default.
+EXPERIMENTS["search-kr-uct-5000-fixed"] = Match(
+    "carom[method=kr-uct]:5000", "carom:5000", pairs=400
+)
+
 # The levels of strength, each against the one below.
 for number in (2, 3, 4, 5):
     EXPERIMENTS[f"level-{number}-level-{number - 1}"] = Match(
