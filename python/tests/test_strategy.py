@@ -18,7 +18,7 @@ FOLDER = ROOT / "scripts" / "strategy"
 @pytest.fixture(scope="module")
 def modules() -> Any:
     """The modules of the folder, which import each other by name."""
-    names = ("catalogue", "matches", "visits", "endings", "stated", "tutorial")
+    names = ("catalogue", "matches", "visits", "endings", "stated", "processes", "tutorial")
     sys.path.insert(0, str(FOLDER))
     try:
         yield {name: __import__(name) for name in names}
@@ -105,7 +105,7 @@ def test_frames_against_the_planner_of_the_tutorial_go_on_where_they_were_stoppe
     modules: Any, tmp_path: Path
 ) -> None:
     experiment = modules["tutorial"].AgainstPlanner("carom:60", pairs=2)
-    whole = experiment.play("a test", tmp_path / "whole", 2)
+    whole = experiment.play("a test", tmp_path / "whole", 1)
     rows = (tmp_path / "whole" / "frames.jsonl").read_text("utf-8").splitlines()
     (tmp_path / "stopped").mkdir()
     (tmp_path / "stopped" / "frames.jsonl").write_text(rows[0] + "\n", encoding="utf-8")

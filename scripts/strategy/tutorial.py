@@ -5,7 +5,6 @@ from __future__ import annotations
 import hashlib
 import re
 from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -13,6 +12,7 @@ from typing import Any
 
 import carom
 from carom import Noise
+from processes import each
 from rows import add_rows, read_rows
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "tutorials" / "two_robots.md"
@@ -43,10 +43,9 @@ class AgainstPlanner:
         done = read_rows(path)
         known = {row["frame"] for row in done}
         left = [number for number in range(2 * self.pairs) if number not in known]
-        with ProcessPoolExecutor(threads) as pool:
-            for row in pool.map(partial(self.frame, name), left):
-                add_rows(path, [row])
-                done.append(row)
+        for row in each(partial(self.frame, name), left, threads):
+            add_rows(path, [row])
+            done.append(row)
         points = {row["frame"]: row["points"] for row in done}
         shares = [(points[2 * k] + points[2 * k + 1]) / 2 for k in range(self.pairs)]
         return {

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import statistics
-from collections.abc import Iterator
-from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -14,6 +12,7 @@ from typing import Any
 import carom
 import numpy as np
 from carom import Noise
+from processes import each
 from rows import add_rows, read_rows
 
 #: The table of random layouts, its size and the radius of its balls, m.
@@ -54,7 +53,7 @@ class Visits:
         done = read_rows(path)
         known = {visit["number"] for visit in done}
         left = [number for number in range(self.count) if number not in known]
-        for visit in self._visits(name, left, threads):
+        for visit in each(partial(self.visit, name), left, threads):
             add_rows(path, [visit])
             done.append(visit)
         visits = [visit for visit in done if visit["number"] < self.count]
@@ -73,14 +72,6 @@ class Visits:
                 "most": runs[-1],
             },
         }
-
-    def _visits(self, name: str, left: list[int], threads: int) -> Iterator[dict[str, Any]]:
-        visit = partial(self.visit, name)
-        if threads <= 1:
-            yield from map(visit, left)
-            return
-        with ProcessPoolExecutor(threads) as pool:
-            yield from pool.map(visit, left)
 
     def visit(self, name: str, number: int) -> dict[str, Any]:
         """One visit."""
