@@ -127,7 +127,7 @@ def test_an_interval_of_pairs_is_that_of_a_match(modules: Any, tmp_path: Path) -
     result = carom.play_match("greedy:60", "deep-green-0:60", out=tmp_path / "m", pairs=6)
     score = result.score
     shares = [k / 4 for k, count in enumerate(score.pair_counts) for _ in range(count)]
-    ends = tuple(modules["tutorial"].interval(shares))
+    ends = modules["tutorial"].interval(shares)
     assert ends == pytest.approx(score.share_interval, abs=1e-4)
 
 

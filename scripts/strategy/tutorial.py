@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import hashlib
 import re
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -97,11 +96,10 @@ def tutorial_robots(noise: Noise) -> dict[str, Any]:
     return robots
 
 
-def interval(shares: list[float]) -> Iterator[float]:
+def interval(shares: list[float]) -> tuple[float, float]:
     """The ends of the interval of pairs at 95 % (docs/arena.md, Intervals)."""
     pairs = len(shares)
     mean = sum(shares) / pairs
     squares = sum((share - mean) ** 2 for share in shares) + PRIOR_PAIRS * PRIOR_VARIANCE
     half = 1.96 * (squares / (pairs + PRIOR_PAIRS) / pairs) ** 0.5
-    yield max(mean - half, 0.0)
-    yield min(mean + half, 1.0)
+    return max(mean - half, 0.0), min(mean + half, 1.0)
