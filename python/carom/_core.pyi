@@ -36,6 +36,7 @@ __all__ = [
     "meanings",
     "noise_presets",
     "olympiad",
+    "pair_interval",
     "physics",
     "plain",
     "play_match",
@@ -303,6 +304,7 @@ def play_match(
     threads: int,
     report: _Report,
 ) -> dict[str, Any]: ...
+def pair_interval(counts: list[int], level: float) -> tuple[float, float]: ...
 def replay_match(text: str, level: float, threads: int, report: _Report) -> dict[str, Any]: ...
 
 @final

@@ -10,6 +10,7 @@ from typing import Any
 
 import carom
 import pytest
+from carom import _core
 
 ROOT = Path(__file__).parents[2]
 FOLDER = ROOT / "scripts" / "strategy"
@@ -18,7 +19,16 @@ FOLDER = ROOT / "scripts" / "strategy"
 @pytest.fixture(scope="module")
 def modules() -> Any:
     """The modules of the folder, which import each other by name."""
-    names = ("catalogue", "matches", "visits", "endings", "stated", "processes", "tutorial")
+    names = (
+        "catalogue",
+        "matches",
+        "visits",
+        "endings",
+        "stated",
+        "processes",
+        "seeds",
+        "tutorial",
+    )
     sys.path.insert(0, str(FOLDER))
     try:
         yield {name: __import__(name) for name in names}
@@ -123,12 +133,10 @@ def test_the_planner_of_the_tutorial_breaks_full_and_takes_a_ball_that_hangs(mod
     assert (announced["call"].ball, announced["call"].into) == ("1", "top-right")
 
 
-def test_an_interval_of_pairs_is_that_of_a_match(modules: Any, tmp_path: Path) -> None:
+def test_an_interval_of_pairs_is_that_of_a_match(tmp_path: Path) -> None:
     result = carom.play_match("greedy:60", "deep-green-0:60", out=tmp_path / "m", pairs=6)
-    score = result.score
-    shares = [k / 4 for k, count in enumerate(score.pair_counts) for _ in range(count)]
-    ends = modules["tutorial"].interval(shares)
-    assert ends == pytest.approx(score.share_interval, abs=1e-4)
+    ends = _core.pair_interval(list(result.score.pair_counts), level=0.95)
+    assert ends == pytest.approx(result.score.share_interval)
 
 
 @pytest.mark.parametrize("balls", [1, 7])

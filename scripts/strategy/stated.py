@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,6 +10,7 @@ from typing import Any
 import carom
 from carom import Noise
 from rows import add_rows, read_rows, write_rows
+from seeds import seed_of
 
 #: Errors that are drawn for each decision, besides those of the frame itself.
 DRAWS = 100
@@ -55,7 +55,7 @@ class Stated:
 
     def _frame(self, name: str, number: int) -> Iterator[dict[str, Any]]:
         """The decisions of one frame."""
-        seed = int.from_bytes(hashlib.sha256(f"{name} {number}".encode()).digest()[:6])
+        seed = seed_of(name, number)
         noise = Noise.preset(f"olympiad:{self.noise}")
         players = [
             carom.Player(self.player, noise=noise, seed=seed + seat, threads=1) for seat in (0, 1)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import re
 from dataclasses import dataclass
 from functools import partial
@@ -10,14 +9,12 @@ from pathlib import Path
 from typing import Any
 
 import carom
-from carom import Noise
+from carom import Noise, _core
 from processes import each
 from rows import add_rows, read_rows
+from seeds import seed_of
 
 PAGE = Path(__file__).resolve().parents[2] / "docs" / "tutorials" / "two_robots.md"
-#: Pairs of even, independent frames that an interval adds, and the variance of such a pair's share
-#: (docs/arena.md, Intervals).
-PRIOR_PAIRS, PRIOR_VARIANCE = 10, 1 / 8
 
 
 @dataclass(frozen=True)
@@ -46,18 +43,19 @@ class AgainstPlanner:
             add_rows(path, [row])
             done.append(row)
         points = {row["frame"]: row["points"] for row in done}
-        shares = [(points[2 * k] + points[2 * k + 1]) / 2 for k in range(self.pairs)]
+        pairs = [points[2 * k] + points[2 * k + 1] for k in range(self.pairs)]
+        counts = [pairs.count(half / 2) for half in range(5)]
         return {
             "players": [self.player, "the tutorial's planner"],
             "noise": self.noise,
             "pairs": self.pairs,
-            "share": sum(shares) / self.pairs,
-            "share_interval": list(interval(shares)),
+            "share": sum(pairs) / 2 / self.pairs,
+            "share_interval": _core.pair_interval(counts, level=0.95),
         }
 
     def frame(self, name: str, number: int) -> dict[str, Any]:
         """One frame; the player begins those of even numbers."""
-        seed = int.from_bytes(hashlib.sha256(f"{name} {number // 2}".encode()).digest()[:6])
+        seed = seed_of(name, number // 2)
         noise = Noise.preset(f"olympiad:{self.noise}")
         robots = tutorial_robots(noise)
         player = carom.Player(self.player, noise=noise, seed=seed, threads=1)
@@ -94,12 +92,3 @@ def tutorial_robots(noise: Noise) -> dict[str, Any]:
         exec(compile(block, str(PAGE), "exec"), robots)
     robots["noise"] = noise
     return robots
-
-
-def interval(shares: list[float]) -> tuple[float, float]:
-    """The ends of the interval of pairs at 95 % (docs/arena.md, Intervals)."""
-    pairs = len(shares)
-    mean = sum(shares) / pairs
-    squares = sum((share - mean) ** 2 for share in shares) + PRIOR_PAIRS * PRIOR_VARIANCE
-    half = 1.96 * (squares / (pairs + PRIOR_PAIRS) / pairs) ** 0.5
-    return max(mean - half, 0.0), min(mean + half, 1.0)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import hashlib
 import statistics
 from dataclasses import dataclass
 from functools import partial
@@ -14,6 +13,7 @@ import numpy as np
 from carom import Noise
 from processes import each
 from rows import add_rows, read_rows
+from seeds import seed_of
 
 #: The table of random layouts, its size and the radius of its balls, m.
 TABLE = "wpa-9ft"
@@ -75,7 +75,7 @@ class Visits:
 
     def visit(self, name: str, number: int) -> dict[str, Any]:
         """One visit."""
-        seed = int.from_bytes(hashlib.sha256(f"{name} {number}".encode()).digest()[:6])
+        seed = seed_of(name, number)
         noise = Noise.preset(f"olympiad:{self.noise}")
         player = carom.Player(self.player, noise=noise, seed=seed, threads=1)
         frame = self._frame(seed)

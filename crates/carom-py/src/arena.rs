@@ -1,4 +1,5 @@
-//! Matches between built-in players: `_core.play_match` and `_core.replay_match`.
+//! Matches between built-in players: `_core.play_match` and `_core.replay_match`; the interval of
+//! pairs that were played elsewhere: `_core.pair_interval`.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -6,8 +7,8 @@ use std::path::PathBuf;
 use carom::format::Node;
 use carom::runner::Runner;
 use carom_arena::{
-    BuiltInPlayer, Hypothesis, MatchPlan, MatchReport, MatchScore, Replay, Secret, TestState,
-    elo_of_share,
+    BuiltInPlayer, Hypothesis, MatchPlan, MatchReport, MatchScore, PairScores, Replay, Secret,
+    TestState, elo_of_share,
 };
 use carom_plan::{Interval, check_level};
 use pyo3::prelude::*;
@@ -173,4 +174,12 @@ pub(crate) fn replay_match<'py>(
         other_engine,
         score: ScoreFields::new(&found.score, level),
     })
+}
+
+/// The interval of the share of the points, from the numbers of pairs with 0, ½, 1, 1½ and 2 points.
+#[pyfunction]
+pub(crate) fn pair_interval(py: Python<'_>, counts: [u64; 5], level: f64) -> PyResult<(f64, f64)> {
+    check_level(level).map_err(|e| to_exception(py, &e))?;
+    let interval = PairScores { counts }.interval(level);
+    Ok((interval.low, interval.high))
 }
