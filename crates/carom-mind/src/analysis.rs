@@ -71,10 +71,11 @@ impl Searcher {
     /// As [`Self::play_round`].
     pub fn analysis(
         &self,
-        rounds: Rounds,
+        mut rounds: Rounds,
         situation: &Situation<'_>,
         budget: &Budget<'_>,
     ) -> Result<Analysis, Error> {
+        self.name(&mut rounds, situation, budget)?;
         let found = self.found(rounds, situation, budget)?;
         let mut plays: Vec<Recommendation> = found
             .candidates

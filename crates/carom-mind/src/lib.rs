@@ -9,6 +9,7 @@
 mod aim;
 mod analysis;
 pub mod breaks;
+mod choices;
 mod level;
 pub mod line;
 pub mod literature;

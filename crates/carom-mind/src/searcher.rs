@@ -2,15 +2,12 @@
 
 use carom::Error;
 use carom::format::Reader;
-use carom_rules::{Choice, Frame, Request, Rules, Seat, Turn};
+use carom_rules::{Request, Rules, Turn};
 
-use crate::player::{Answer, Budget, Decision, Player, Situation, Spent};
-use crate::search::{Found, Rounds, SearchTask, quick_value};
+use crate::player::{Answer, Budget, Decision, Player, Situation};
+use crate::search::{Found, Rounds, SearchTask};
 use crate::settings::SearchSettings;
 use crate::value::{Logistic, Markov, Value};
-
-/// Simulations that value one of the options of a choice.
-const PER_CHOICE: u64 = 400;
 
 /// A player that searches: candidates from lines and lattices, a race between them under the
 /// player's own errors, judged by a [`Value`].
@@ -109,6 +106,17 @@ impl Searcher {
         rounds.play(&self.task(situation, turn, (budget, &self.settings)))
     }
 
+    /// Gives the plays that the rounds have found the kinds of what they do.
+    pub(crate) fn name(
+        &self,
+        rounds: &mut Rounds,
+        situation: &Situation<'_>,
+        budget: &Budget<'_>,
+    ) -> Result<(), Error> {
+        let turn = turn_of(situation)?;
+        rounds.name(&self.task(situation, turn, (budget, &self.settings)))
+    }
+
     /// The plays that the rounds have found, the best first.
     pub(crate) fn found(
         &self,
@@ -154,31 +162,6 @@ impl Searcher {
         let answer = if gives_up { Answer::Concede } else { Answer::Play(best.play) };
         Ok(Decision { answer, win_chance, spent })
     }
-
-    fn choose(
-        &self,
-        situation: &Situation<'_>,
-        seat: Seat,
-        choices: &[Choice],
-    ) -> Result<Decision, Error> {
-        let mut best: Option<(Choice, f64)> = None;
-        let mut spent = Spent { simulations: 0, rounds: 1 };
-        for choice in choices {
-            let mut next: Frame = situation.frame.clone();
-            next.choose(*choice)?;
-            let after = Situation { frame: &next, ..*situation };
-            let (value, plays) = quick_value(&after, self.value(), PER_CHOICE)?;
-            spent.simulations += plays;
-            let own = if next.player() == Some(seat) { value } else { 1.0 - value };
-            if best.is_none_or(|(_, most)| own > most) {
-                best = Some((*choice, own));
-            }
-        }
-        let Some((choice, value)) = best else {
-            return Err(Error::input("frame", "it offers no choice", "look at its request"));
-        };
-        Ok(Decision { answer: Answer::Choice(choice), win_chance: Some(value), spent })
-    }
 }
 
 impl Player for Searcher {
@@ -198,7 +181,7 @@ impl Player for Searcher {
                 while self.play_round(&mut rounds, situation, budget)? {}
                 self.decision(rounds, situation, budget)
             }
-            Request::Choice { choices, .. } => self.choose(situation, seat, choices),
+            Request::Choice { choices, .. } => self.choose((situation, budget), (seat, choices)),
             Request::Over { .. } => Err(Error::input("frame", "it is over", "begin a new frame")),
         }
     }
@@ -210,7 +193,7 @@ fn turn_of<'a>(situation: &Situation<'a>) -> Result<&'a Turn, Error> {
         Request::Shot(turn) => Ok(turn),
         _ => {
             let what = "it asks for a choice, not for a shot";
-            Err(Error::input("frame", what, "let the player choose: decide"))
+            Err(Error::input("frame", what, "let the player choose"))
         }
     }
 }

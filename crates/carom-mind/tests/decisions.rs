@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicU32, Ordering};
 
+use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use carom::shot::PlacedBall;
 use carom::{Error, Noise, Shot};
@@ -275,4 +276,81 @@ fn balls_of_a_shot_become_a_situation() {
     let again = Frame::of_shot(Rules::EightBall, Options::default(), &shot).expect("a frame");
     let decision = decide(&again, Noise::olympiad(1.0), FEW);
     assert!(matches!(decision.answer, Answer::Play(_)));
+}
+
+/// A frame of snooker after a foul: seat 1 chooses who plays on.
+fn after_a_foul() -> Frame {
+    let mut frame = new_frame(Rules::Snooker, 1);
+    let strike = Strike { speed: 1.0, azimuth: -1.5, elevation: 0.1, side: 0.0, height: 0.0 };
+    frame.play(&Play { cue_ball: Some([0.889, 0.6]), ..Play::new(strike) }).expect("a foul");
+    frame
+}
+
+#[test]
+fn the_position_after_each_choice_is_searched_within_the_budget() {
+    let frame = after_a_foul();
+    let Request::Choice { choices, .. } = frame.request() else { panic!("a choice") };
+    let situation = Situation::new(&frame, Noise::olympiad(1.0), 4);
+    let with = |threads, rounds| {
+        let runner = Runner::new(Some(threads)).expect("a runner");
+        let budget = Budget { runner, rounds, ..Budget::simulations(8000) };
+        Searcher::default().decide(&situation, &budget).expect("a decision")
+    };
+    let whole = with(1, None);
+    assert!((7000..8800).contains(&whole.spent.simulations), "{:?}", whole.spent);
+    assert_eq!(with(3, None), whole);
+    assert_eq!(with(2, Some(whole.spent.rounds)), whole);
+    assert!(with(1, Some(1)).spent.simulations < whole.spent.simulations);
+    // The chosen one is the best by decisions after each choice.
+    let chances = choices.iter().map(|choice| {
+        let mut next = frame.clone();
+        next.choose(*choice).expect("an offered choice");
+        let after = Situation { frame: &next, ..situation };
+        let share = Budget::simulations(8000 / choices.len() as u64);
+        let decision = Searcher::default().decide(&after, &share).expect("a decision");
+        let chance = decision.win_chance.expect("an estimate");
+        (*choice, if next.player() == frame.player() { chance } else { 1.0 - chance })
+    });
+    let (best, chance) = chances.max_by(|a, b| a.1.total_cmp(&b.1)).expect("choices");
+    assert_eq!((whole.answer, whole.win_chance), (Answer::Choice(best), Some(chance)));
+}
+
+#[test]
+fn a_listed_play_occurs_once_and_has_the_kind_of_what_it_does() {
+    let frames = [(0.45, 0.75), (0.9, 1.9), (0.3, 1.3)].map(|(x, y)| {
+        let mut frame = new_frame(Rules::NineBall, 0);
+        let mut all = vec![None; frame.layout().len()];
+        (all[0], all[7], all[9]) = (Some([x, y]), Some([0.8, 1.45]), Some([0.95, 0.5]));
+        frame.resume_at(&all, 0).expect("a position");
+        frame
+    });
+    let mut kinds = Vec::new();
+    for frame in &frames {
+        let situation = Situation::new(frame, Noise::olympiad(2.0), 3);
+        let analysis = Searcher::default()
+            .analyse(&situation, &Budget::simulations(20_000), 20)
+            .expect("an analysis");
+        let plays: Vec<Play> = analysis.plays.iter().map(|listed| listed.play).collect();
+        for (k, listed) in analysis.plays.iter().enumerate() {
+            assert!(!plays[..k].contains(&listed.play), "{:?}", listed.play);
+            let mut after = frame.clone();
+            after.play(&listed.play).expect("a shot");
+            if listed.kind == PlayKind::Safety {
+                assert!(!after.keeps_turn(0), "{:?}", listed.play);
+            }
+            kinds.push(listed.kind);
+        }
+    }
+    assert!(kinds.contains(&PlayKind::Safety) && kinds.contains(&PlayKind::Indirect), "{kinds:?}");
+}
+
+#[test]
+fn a_clock_that_is_over_leaves_few_variants_to_count() {
+    let frame = six_balls();
+    let situation = Situation::new(&frame, Noise::olympiad(1.0), 4);
+    let ends = |spent: Spent| spent.rounds >= 1;
+    let clock = Budget { is_over: &ends, ..Budget::simulations(1 << 50) };
+    let analysis = Searcher::default().analyse(&situation, &clock, 5).expect("an analysis");
+    let counted: u64 = analysis.plays.iter().map(|play| play.kept.variants).sum();
+    assert!(counted > 0 && 2 * counted <= analysis.spent.simulations, "{counted} {analysis:?}");
 }

@@ -2,7 +2,7 @@
 //! that one has found.
 
 use carom::Error;
-use carom_rules::{Frame, Rules, Turn};
+use carom_rules::{Frame, Play, Rules, Turn};
 
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
@@ -14,6 +14,7 @@ use super::replies::Replies;
 use super::shift::{deviations, uphill};
 use super::windows::direct_pots;
 use crate::breaks::BreakShot;
+use crate::line::Line;
 use crate::player::{Budget, Situation, Spent};
 use crate::settings::{BreakChoice, SearchMethod, SearchSettings};
 use crate::value::Value;
@@ -251,13 +252,44 @@ impl Rounds {
         Ok(true)
     }
 
+    /// Prepares the candidates for a list of plays: each play occurs once, and has the kind of what it does.
+    ///
+    /// # Errors
+    /// As [`Self::play`].
+    pub(crate) fn name(&mut self, task: &SearchTask<'_, '_>) -> Result<(), Error> {
+        let mut plays: Vec<Play> = Vec::new();
+        self.candidates.retain(|candidate| {
+            let is_new = !plays.contains(&candidate.play);
+            plays.push(candidate.play);
+            is_new
+        });
+        let prepared = self.prepared(task.situation)?;
+        let mut explorer = Explorer::new(task.situation, task.value, task.turn, 0);
+        let lines: Vec<Vec<Line>> = (0..prepared.len())
+            .map(|k| {
+                self.lines.iter().filter(|known| known.place == k).map(|known| known.line).collect()
+            })
+            .collect();
+        for candidate in &mut self.candidates {
+            let place = candidate.place;
+            explorer.name(candidate, &prepared[place], &lines[place])?;
+        }
+        self.spent.simulations += explorer.plays;
+        Ok(())
+    }
+
     /// What the rounds have found. The best plays get fresh samples.
     ///
     /// # Errors
     /// As [`Self::play`].
     pub(crate) fn end(self, task: &SearchTask<'_, '_>) -> Result<Found, Error> {
         let prepared = self.prepared(task.situation)?;
-        let Self { mut candidates, mut spent, stated, fresh, .. } = self;
+        let Self { mut candidates, mut spent, stated, mut fresh, .. } = self;
+        if !self.is_complete {
+            // The clock is over, or the rounds: the statement costs its share of what they have spent.
+            let settings = SearchSettings { stated, ..*task.settings };
+            fresh = fresh.min(settings.fresh(spent.simulations));
+        }
         if stated > 1 {
             distinct_first(&mut candidates);
         }
