@@ -181,7 +181,7 @@ for noise in (0.0, 0.5, 1.0, 2.0):
     for one, other in ((0, 1), (1, 2), (0, 2)):
         first, second = DEEP_GREEN[one], DEEP_GREEN[other]
         EXPERIMENTS[f"literature-{first}-{second}-x{noise:g}"] = Match(
-            f"{first}:3000", f"{second}:3000", pairs=100, noise=noise, table="poolfiz"
+            f"{first}:3000", f"{second}:3000", pairs=500, noise=noise, table="poolfiz"
         )
 # The searching player against others, with the same break.
 for other in ("pick-pocket", "greedy"):
