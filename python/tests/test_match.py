@@ -292,6 +292,44 @@ def test_match_passes_its_options_on(run: CommandLine) -> None:
     assert header["same_break"]["strike"]["azimuth"] == rail.azimuth
 
 
+@pytest.mark.parametrize(
+    ("game", "preset"),
+    [("straight-pool", "safety"), ("three-cushion", "opening"), ("snooker", "baulk")],
+)
+def test_a_break_preset_is_the_break_of_both_players(
+    run: CommandLine, game: str, preset: str
+) -> None:
+    known = carom.break_shot(game, preset=preset)
+    done = run(
+        *("match", "carom:40", "carom:40", "--out", "m", "--pairs", "1", "--game", game),
+        *("--same-break", preset, "--points", "2", "--json"),
+    )
+    assert done.returncode == 0, done.stderr
+    header, *frames, _ = map(json.loads, (run.cwd / "m/match.jsonl").read_text().splitlines())
+    assert header["same_break"]["strike"]["azimuth"] == known.azimuth
+    for frame in frames:
+        assert frame["moves"][0]["play"] == header["same_break"]
+
+
+def test_a_given_break_has_the_default_elevation(tmp_path: Path) -> None:
+    given = Play(Strike(8.0, 1.57), (0.635, 0.6))
+    options = {"game": "nine-ball", "pairs": 1, "secret": SECRET, "simulations": 40}
+    result = carom.play_match("carom", "carom", out=tmp_path / "m", same_break=given, **options)
+    assert result.record is not None
+    header = json.loads(result.record.read_text().splitlines()[0])
+    usual = given.shot(carom.Frame("nine-ball")).elevation
+    assert header["same_break"]["strike"]["elevation"] == usual
+    assert usual is not None
+
+
+def test_players_of_the_same_name_are_told_apart(tmp_path: Path) -> None:
+    result = carom.play_match("greedy:40", "greedy:40", out=tmp_path / "m", pairs=1)
+    _, _, one, other, *_ = str(result).splitlines()
+    assert one.split()[:2] == ["greedy:40", "(A)"]
+    assert other.split()[:2] == ["greedy:40", "(B)"]
+    assert str(result).startswith("eight-ball: 1 pair of frames")
+
+
 def test_ctrl_c_keeps_what_was_played(tmp_path: Path) -> None:
     flags = ["--game", "nine-ball", "--pairs", "1000", "--threads", "1", "--secret", SECRET]
     match = [sys.executable, "-m", "carom", "match", "carom:60", "carom:60", *flags, "--out", "m"]

@@ -434,6 +434,16 @@ def test_think_prints_the_plays_of_a_shot_file(
     assert ElementTree.parse(tmp_path / "a.svg").getroot().tag.endswith("svg")
 
 
+def test_think_prints_its_plays_although_the_picture_cannot_be_written(
+    run: CommandLine, shot_file: str
+) -> None:
+    options = ["--game", "nine-ball", "--simulations", str(FEW), "--svg", "missing/a.svg"]
+    done = run("think", shot_file, *options)
+    assert done.returncode == 2
+    assert done.stdout.startswith("nine-ball, player 0 to shoot")
+    assert "missing/a.svg" in done.stderr
+
+
 def test_think_reads_the_record_of_a_frame(run: CommandLine, middle: Frame) -> None:
     options = ["--simulations", "500", "--json", "--opponent-noise", "club:0.5", "--threads", "1"]
     done = run("think", "-", *options, stdin=json.dumps(middle.record))
@@ -468,6 +478,7 @@ def test_think_prints_a_choice_where_the_frame_requests_one(run: CommandLine) ->
         (["frame.json", "--game", "nine-ball"], "--game"),
         (["over.json"], "frame"),
         (["broken.json"], ""),
+        (["trace.json"], "trace.json: format: found 'carom-trace/1'"),
     ],
 )
 def test_think_refuses_bad_input(
@@ -478,6 +489,7 @@ def test_think_refuses_bad_input(
     for name, record in (("frame.json", middle.record), ("over.json", over.record)):
         (run.cwd / name).write_text(json.dumps(record))
     (run.cwd / "broken.json").write_text('{"format": "carom-frame/1"')
+    (run.cwd / "trace.json").write_text('{"format": "carom-trace/1"}')
     done = run("think", *arguments)
     assert (done.returncode, done.stdout) == (2, ""), done.stderr
     assert done.stderr.startswith(f"carom: {place}"), done.stderr

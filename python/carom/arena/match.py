@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict
+from dataclasses import asdict, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -17,6 +17,7 @@ from carom.noise import Noise, Perception, noise_or_default, perception_or_none
 from carom.player import Play, Player
 from carom.player.thinking import seconds
 from carom.progress import stage_bars
+from carom.rules import Frame
 
 if TYPE_CHECKING:
     import os
@@ -131,7 +132,9 @@ def play_match(
         ],
         "clock": clocks,
         "breaker": breaker,
-        "same_break": None if same_break is None else _break(same_break),
+        "same_break": None
+        if same_break is None
+        else _break(same_break, Frame(game, table=table, physics=physics, points=points)),
         "disclosure": text("disclosure", disclosure, '"both"'),
         "test": shares,
         "pairs": whole("pairs", pairs, low=1),
@@ -210,10 +213,16 @@ def _clocks(names: tuple[str, str], given: Mapping[str, Any]) -> list[dict[str, 
     return clocks
 
 
-def _break(play: Play) -> dict[str, Any]:
-    """A break in the form of a record of a match."""
+def _break(play: Play, frame: Frame) -> dict[str, Any]:
+    """A break in the form of a record of a match; with the default elevation if it has none."""
     if not isinstance(play, Play):
         raise InputError(f"same_break: found a {type(play).__name__}; give carom.Play(...)")
+    if play.strike.elevation is None:
+        try:
+            shot = play.shot(frame)
+        except InputError as error:
+            raise InputError(f"same_break: {error}") from None
+        play = replace(play, strike=replace(play.strike, elevation=shot.elevation))
     written = play.to_dict()
     if play.call is not None:
         call = {"kind": play.call.kind, "ball": play.call.ball, "pocket": play.call.into}

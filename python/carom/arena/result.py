@@ -12,6 +12,10 @@ from carom.plan.chance import Chance, or_null
 _POINTS = ("0", "½", "1", "1½", "2")
 
 
+def _pairs(count: int) -> str:
+    return "1 pair" if count == 1 else f"{count} pairs"
+
+
 @dataclass(frozen=True, slots=True)
 class TestResult:
     """The state of a sequential test after the pairs so far.
@@ -133,6 +137,8 @@ class Score:
     def lines(self) -> list[str]:
         """The score as lines of text."""
         one, other = self.players
+        if one == other:
+            one, other = f"{one} (A)", f"{other} (B)"
         name = max(len(one), len(other), len("player"))
         frames = self.wins + self.draws + self.losses
         points = self.wins + 0.5 * self.draws
@@ -150,7 +156,7 @@ class Score:
             row(one, f"{points:g}", f"{self.wins}", f"{self.draws}", f"{self.losses}"),
             row(other, f"{frames - points:g}", f"{self.losses}", f"{self.draws}", f"{self.wins}"),
             f"{one} has {100 * self.share:.1f} % ({low:.1f} to {high:.1f}) of the points; "
-            f"intervals at {100 * self.level:g} % confidence, from {self.pairs} pairs",
+            f"intervals at {100 * self.level:g} % confidence, from {_pairs(self.pairs)}",
             f"Elo difference {_rating(self.elo)} "
             f"({_rating(self.elo_interval[0])} to {_rating(self.elo_interval[1])})",
             f"pairs by points: {counts}",
@@ -206,7 +212,10 @@ class MatchResult:
 
     def __str__(self) -> str:
         state = "finished" if self.finished else "not finished"
-        lines = [f"{self.game}: {self.played_pairs} pairs of frames, {state}", *self.score.lines()]
+        lines = [
+            f"{self.game}: {_pairs(self.played_pairs)} of frames, {state}",
+            *self.score.lines(),
+        ]
         if self.test is not None:
             lines.append(str(self.test))
         lines.append(f"secret: SHA-256 {self.secret_sha256}")

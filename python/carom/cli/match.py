@@ -11,7 +11,7 @@ from typing import Annotated, TypeVar
 import typer
 
 import carom
-from carom import Noise, Perception, Play, Strike
+from carom import Call, Noise, Perception, Play, Strike
 from carom.batch import own_strike
 from carom.cli.options import Json, Level
 from carom.cli.output import emit, read, say
@@ -227,4 +227,10 @@ def _break(game: str, table: str | None, preset: str) -> Play:
     shot = carom.break_shot(game, table=table, preset=preset)
     file = shot.to_dict()
     (x, y, *_), *_ = (b["position"] for b in file["balls"] if b["id"] == file["strike"]["ball"])
-    return Play(Strike(*own_strike(shot._core)), cue_ball=(x, y))
+    request = carom.Frame(game, table=table).request
+    # Straight pool opens with a safety; in three-cushion the cue ball stays where it lies.
+    return Play(
+        Strike(*own_strike(shot._core)),
+        cue_ball=(x, y) if request.in_hand else None,
+        call=Call("safety") if preset == "safety" else None,
+    )

@@ -111,8 +111,8 @@ def evaluate(
         level=level,
         progress=sys.stderr.isatty(),
     )
-    draw(lambda: evaluation_picture.draw(answer, title=title_of(file)), svg=svg, png=png)
     emit(js.dumps(answer.to_dict()) if json else str(answer))
+    draw(lambda: evaluation_picture.draw(answer, title=title_of(file)), svg=svg, png=png)
 
 
 def solve(
@@ -423,8 +423,8 @@ def stats_break(
         level=level,
         progress=sys.stderr.isatty(),
     )
-    draw(lambda: maps_picture.draw(found), svg=svg, png=png)
     emit(js.dumps(found.to_dict()) if json else str(found))
+    draw(lambda: maps_picture.draw(found), svg=svg, png=png)
 
 
 def _show(

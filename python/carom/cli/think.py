@@ -118,8 +118,9 @@ def think(
         return
     analysis = thinker.explain(frame, plays, opponent_noise=opponent)
     title = frame.game if file == "-" else title_of(file)
-    draw(lambda: plays_picture.draw(analysis, title=title), svg=svg, png=png)
+    # The answer first: it is not lost if the picture cannot be written.
     emit(js.dumps(analysis.to_dict()) if json else str(analysis))
+    draw(lambda: plays_picture.draw(analysis, title=title), svg=svg, png=png)
 
 
 def _opponent(name: str, cling: float) -> Noise:
@@ -139,6 +140,11 @@ def _frame(text: str, name: str, game: str | None) -> Frame:
         if game is not None:
             raise InputError("--game: the record of a frame has its game; leave the option out")
         return Frame.replay(file)
+    if isinstance(file, dict) and not str(file.get("format", "")).startswith("carom-shot"):
+        raise InputError(
+            f"{name}: format: found {file.get('format')!r}; give a shot (carom-shot/1) or the "
+            "record of a frame (carom-frame/1)"
+        )
     # The error for any other text describes a shot file.
     shot = Shot._read(text, name)
     if game is None:

@@ -147,9 +147,9 @@ class Decision:
         answer = "concede" if self.play is None else str(self.play)
         if self.choice is not None:
             answer = self.choice
-        if self.win_chance is None:
-            return answer
-        return f"{answer}; wins {words.percent(self.win_chance)}"
+        if self.win_chance is not None:
+            answer += f"; wins {words.percent(self.win_chance)}"
+        return f"{answer}; interrupted" if self.interrupted else answer
 
 
 def _frame(frame: Frame) -> Frame:
