@@ -112,7 +112,7 @@ EXPERIMENTS["search-kr-uct-5000-fixed"] = Match(
 # The levels of strength, each against the one below.
 for number in (2, 3, 4, 5):
     EXPERIMENTS[f"level-{number}-level-{number - 1}"] = Match(
-        f"level-{number}", f"level-{number - 1}", pairs=100, noise=None
+        f"level-{number}", f"level-{number - 1}", pairs=300, noise=None
     )
 
 # The bars against the re-creations, on the table of the Olympiad.
@@ -186,13 +186,13 @@ for noise in (0.0, 0.5, 1.0, 2.0):
 # The searching player against others, with the same break.
 for other in ("pick-pocket", "greedy"):
     EXPERIMENTS[f"bar-carom-{other}"] = Match(
-        "carom:3000", f"{other}:3000", pairs=100, table="poolfiz", same_break="head"
+        "carom:3000", f"{other}:3000", pairs=500, table="poolfiz", same_break="head"
     )
 # How much PickPocket leaves to a player who makes no errors, with the same break.
 EXPERIMENTS["bound-carom-pick-pocket"] = Match(
     "carom:3000",
     "pick-pocket:3000",
-    pairs=100,
+    pairs=500,
     noise=(0.0, 1.0),
     table="poolfiz",
     same_break="head",
