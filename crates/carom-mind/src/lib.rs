@@ -9,7 +9,6 @@
 mod aim;
 mod analysis;
 pub mod breaks;
-mod choices;
 mod level;
 pub mod line;
 pub mod literature;

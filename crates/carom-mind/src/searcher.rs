@@ -1,5 +1,7 @@
 //! The searching player.
 
+mod choices;
+
 use carom::Error;
 use carom::format::Reader;
 use carom_rules::{Request, Rules, Turn};

@@ -3,9 +3,9 @@
 use carom::Error;
 use carom_rules::{Choice, Frame, Request, Seat};
 
+use super::Searcher;
 use crate::player::{Answer, Budget, Decision, Situation, Spent};
 use crate::search::Rounds;
-use crate::searcher::Searcher;
 use crate::value::Position;
 
 /// One of the choices, and the search of what follows it.
@@ -23,7 +23,7 @@ impl Searcher {
     ///
     /// # Errors
     /// As [`crate::Player::decide`].
-    pub(crate) fn choose(
+    pub(super) fn choose(
         &self,
         (situation, budget): (&Situation<'_>, &Budget<'_>),
         (seat, choices): (Seat, &[Choice]),
