@@ -132,9 +132,7 @@ def play_match(
         ],
         "clock": clocks,
         "breaker": breaker,
-        "same_break": None
-        if same_break is None
-        else _break(same_break, Frame(game, table=table, physics=physics, points=points)),
+        "same_break": None if same_break is None else _break(same_break, game, table, physics),
         "disclosure": text("disclosure", disclosure, '"both"'),
         "test": shares,
         "pairs": whole("pairs", pairs, low=1),
@@ -213,13 +211,18 @@ def _clocks(names: tuple[str, str], given: Mapping[str, Any]) -> list[dict[str, 
     return clocks
 
 
-def _break(play: Play, frame: Frame) -> dict[str, Any]:
+def _break(
+    play: Play,
+    game: str,
+    table: Table | str | Mapping[str, Any] | None,
+    physics: Physics | str | Mapping[str, Any] | None,
+) -> dict[str, Any]:
     """A break in the form of a record of a match; with the default elevation if it has none."""
     if not isinstance(play, Play):
         raise InputError(f"same_break: found a {type(play).__name__}; give carom.Play(...)")
     if play.strike.elevation is None:
         try:
-            shot = play.shot(frame)
+            shot = play.shot(Frame(game, table=table, physics=physics))
         except InputError as error:
             raise InputError(f"same_break: {error}") from None
         play = replace(play, strike=replace(play.strike, elevation=shot.elevation))

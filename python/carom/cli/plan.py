@@ -363,7 +363,6 @@ def map_bank(
 
 
 def _show_cushions(found: CushionTable, *, json: bool, svg: Path | None, png: Path | None) -> None:
-    draw(lambda: maps_picture.draw(found), svg=svg, png=png)
     if json:
         rows = {
             "azimuth": found.azimuth,
@@ -373,14 +372,15 @@ def _show_cushions(found: CushionTable, *, json: bool, svg: Path | None, png: Pa
             "rail": found.rail,
         } | _degrees("azimuth", found.azimuth)
         emit(js.dumps({name: or_null(values.tolist()) for name, values in rows.items()}))
-        return
-    emit("azimuth_deg speed side  cushions: rail (x, y) m")
-    for i, turn in enumerate(found.azimuth.tolist()):
-        for j, speed in enumerate(found.speed.tolist()):
-            for k, side in enumerate(found.side.tolist()):
-                met = zip(found.rail[i, j, k], found.contact[i, j, k].tolist(), strict=True)
-                words = ", ".join(f"{rail} ({x:.3f}, {y:.3f})" for rail, (x, y) in met if rail)
-                emit(f"{math.degrees(turn):11.2f} {speed:5.2f} {side:+.2f}  {words or '-'}")
+    else:
+        emit("azimuth_deg speed side  cushions: rail (x, y) m")
+        for i, turn in enumerate(found.azimuth.tolist()):
+            for j, speed in enumerate(found.speed.tolist()):
+                for k, side in enumerate(found.side.tolist()):
+                    met = zip(found.rail[i, j, k], found.contact[i, j, k].tolist(), strict=True)
+                    words = ", ".join(f"{rail} ({x:.3f}, {y:.3f})" for rail, (x, y) in met if rail)
+                    emit(f"{math.degrees(turn):11.2f} {speed:5.2f} {side:+.2f}  {words or '-'}")
+    draw(lambda: maps_picture.draw(found), svg=svg, png=png)
 
 
 @stats.command("break")
@@ -430,12 +430,12 @@ def stats_break(
 def _show(
     found: Drawn, rows: dict[str, Any], *, json: bool, svg: Path | None, png: Path | None
 ) -> None:
-    """Write pictures to files, and to stdout the rows as JSON or a table of text."""
-    draw(lambda: maps_picture.draw(found), svg=svg, png=png)
+    """Print the rows as JSON or a table of text, and write pictures to files."""
     if json:
         emit(js.dumps({name: or_null(values.tolist()) for name, values in rows.items()}))
     else:
         emit(str(found))
+    draw(lambda: maps_picture.draw(found), svg=svg, png=png)
 
 
 def _degrees(name: str, radians: NDArray[np.float64]) -> dict[str, NDArray[np.float64]]:

@@ -60,17 +60,15 @@ impl Searcher {
             spent.rounds += 1;
         }
         let mut best: Option<(Choice, f64)> = None;
+        spent.simulations = 0;
         for Branch { choice, frame, rounds } in branches {
             let after = Situation { frame: &frame, ..*situation };
-            let own = match rounds {
-                Some(rounds) if rounds.best().is_some() => {
-                    let so_far = rounds.spent().simulations;
-                    let decision = self.decision(rounds, &after, &share)?;
-                    spent.simulations += decision.spent.simulations - so_far;
-                    let value = decision.win_chance.unwrap_or(0.5);
-                    if frame.player() == Some(seat) { value } else { 1.0 - value }
-                }
-                _ => {
+            let found = rounds.map(|rounds| self.found(rounds, &after, &share)).transpose()?;
+            spent.simulations += found.as_ref().map_or(0, |found| found.spent.simulations);
+            let own = match found.as_ref().and_then(|found| found.candidates.first()) {
+                Some(play) if frame.player() == Some(seat) => play.stated_win(),
+                Some(play) => 1.0 - play.stated_win(),
+                None => {
                     let position = Position { frame: &frame, noise: &situation.noise };
                     self.value().win_chance(&position, seat)
                 }
