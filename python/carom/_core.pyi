@@ -14,6 +14,7 @@ from carom.plan.options import Goal, Sampling, Search
 from carom.player.thinking import Thinking
 
 __all__ = [
+    "TIP",
     "Frame",
     "Player",
     "Shot",
@@ -70,6 +71,7 @@ __all__ = [
 ]
 
 __version__: str
+TIP: float
 
 # Speed, azimuth, elevation, side, height; an elevation of None is the default one.
 _Strike = tuple[float, float, float | None, float, float]

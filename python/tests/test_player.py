@@ -266,23 +266,23 @@ def test_a_shot_is_explained_in_a_game(middle: Frame, analysis: carom.Analysis) 
     ("side", "height", "said"),
     [
         (0.0, 0.0, "centre"),
-        (0.04, -0.03, "centre"),
-        (0.11, 0.0, "¼ tip right"),
-        (-0.16, -0.16, "½ tip low left"),
-        (0.0, 0.34, "¾ tip high"),
-        (0.0, -0.45, "1 tip low"),
-        (-0.4, 0.4, "1¼ tips high left"),
-        (-0.45, -0.01, "1 tip left"),
+        (0.04, -0.04, "centre"),
+        (0.17, 0.0, "1 tip of right"),
+        (-0.08, -0.34, "½ tip of left, 2 tips of draw"),
+        (0.0, 0.34, "2 tips of follow"),
+        (0.25, 0.0, "1½ tips of right"),
+        (0.0, 0.5, "3 tips of follow"),
     ],
 )
 def test_tip_offsets_in_words(side: float, height: float, said: str) -> None:
+    # Seen: a tip was 0.45 R here and R/6 on the page, so one stroke had two names.
     assert words.tip_offset(side, height) == said
 
 
 def test_a_raised_cue_and_a_cue_ball_in_hand_are_named() -> None:
     strike = carom.Strike(speed=2.0, azimuth=0.0, elevation=math.radians(35), height=-0.2)
     play = carom.Play(strike, (0.5, 0.25), carom.Call.pocket("3", "left"))
-    said = "3 into left, 2.0 m/s, ½ tip low, cue raised 35°, cue ball at (0.50, 0.25) m"
+    said = "3 into left, 2.0 m/s, 1 tip of draw, cue raised 35°, cue ball at (0.50, 0.25) m"
     assert str(play) == said
 
 

@@ -16,6 +16,12 @@ pub fn version() -> String {
     carom::trace::ENGINE.into()
 }
 
+/// One tip, the unit in which players count English, ball radii.
+#[wasm_bindgen]
+pub fn tip() -> f64 {
+    carom::resolve::cue_ball::TIP
+}
+
 /// Every table preset's geometry: the newest ones, then older editions.
 #[wasm_bindgen]
 pub fn tables() -> String {

@@ -4,44 +4,34 @@ from __future__ import annotations
 
 import math
 
-# Width of a cue's tip in ball radii: 13 mm on a pool ball of 57.15 mm. Players count tip offsets in
-# such widths.
-TIP = 0.45
+from carom._core import TIP
+
 # A cue that is raised by more than this is mentioned, rad: 10°. Strokes over the rail have less.
 RAISED = math.radians(10.0)
 
-_QUARTERS = ("", "¼", "½", "¾")
-# The eight directions of an offset, from the right counter-clockwise.
-_DIRECTIONS = (
-    "right",
-    "high right",
-    "high",
-    "high left",
-    "left",
-    "low left",
-    "low",
-    "low right",
-)
-
 
 def tip_offset(side: float, height: float) -> str:
-    """A tip offset to a quarter of a tip's width, such as ``½ tip low left``.
+    """A tip offset to half a tip, such as ``½ tip of left, 2 tips of draw``.
 
     Args:
         side: Contact point right of centre, ball radii.
         height: Contact point above centre, ball radii.
     """
-    quarters = round(4 * math.hypot(side, height) / TIP)
-    if not quarters:
-        return "centre"
-    whole, rest = divmod(quarters, 4)
-    number = f"{whole or ''}{_QUARTERS[rest]}"
-    octant = round(math.atan2(height, side) / (math.pi / 4)) % 8
-    return f"{number} tip{'s' * (quarters > 4)} {_DIRECTIONS[octant]}"
+    parts = (_tips(side, "right", "left"), _tips(height, "follow", "draw"))
+    return ", ".join(filter(None, parts)) or "centre"
+
+
+def _tips(offset: float, plus: str, minus: str) -> str:
+    """An offset in one direction, such as ``1½ tips of right``; empty below a quarter of a tip."""
+    whole, half = divmod(round(2 * abs(offset) / TIP), 2)
+    if not whole and not half:
+        return ""
+    number = f"{whole or ''}{'½' * half}"
+    return f"{number} tip{'s' * (whole + half > 1)} of {plus if offset > 0 else minus}"
 
 
 def strike(speed: float, side: float, height: float, elevation: float) -> str:
-    """Speed, tip offset and a raised cue, such as ``2.1 m/s, ½ tip low left``.
+    """Speed, tip offset and a raised cue, such as ``2.1 m/s, ½ tip of left``.
 
     Args:
         speed: The cue's speed, m/s.

@@ -102,6 +102,7 @@ async function start(source: BufferSource | WebAssembly.Module): Promise<Engine>
 
 class WasmEngine implements Engine {
   readonly version = wasm.version();
+  readonly tip = wasm.tip();
   readonly games: readonly string[] = wasm.games();
   readonly ruleSets: readonly string[] = wasm.ruleSets();
   readonly players: readonly string[] = wasm.players();

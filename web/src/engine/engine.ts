@@ -44,6 +44,8 @@ export interface Engine {
   readonly module: WebAssembly.Module;
   /** Name and version, `carom x.y.z`, as under `engine` in a trace file. */
   readonly version: string;
+  /** One tip, the unit in which players count English, follow and draw, in ball radii. */
+  readonly tip: number;
   /** Games that can be racked. */
   readonly games: readonly string[];
   /** Table presets: the newest ones, then older editions. */

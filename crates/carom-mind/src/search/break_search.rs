@@ -47,7 +47,7 @@ const PER_BREAK: u64 = 8;
 /// First rack of the final comparison: far from all that the generations use.
 const FINAL_RACKS: u64 = 1 << 40;
 
-/// Largest side and height that is tried in a full break, ball radii: two thirds of a tip. More costs
+/// Largest side and height that is tried in a full break, ball radii: nearly two tips. More costs
 /// speed and makes the cue ball swerve.
 const BREAK_OFFSET: f64 = 0.3;
 

@@ -54,8 +54,9 @@ const FULL_SPEED: f64 = 8.0;
 /// A template holds the balls in contact.
 const TEMPLATE_GAP: f64 = 0.0;
 
-/// A quarter of a tip of 13 mm, over the radius of a pool ball.
-const QUARTER_TIP: f64 = 0.11;
+/// A quarter of the width of a 13 mm tip, over the radius of a pool ball. Two thirds of the tip that
+/// players count English in.
+const QUARTER_WIDTH: f64 = 0.11;
 
 /// Half the width of the box from which professionals must break: 8 in, m.
 const BREAK_BOX: f64 = 0.2032;
@@ -65,8 +66,11 @@ const BESIDE_RAIL: f64 = 0.0889;
 
 const SPEED: (&str, Evidence, &str) =
     ("speed", Measured, "Onoda 1989, video: 22 to 26 mph of the cue ball, 24 on average");
-const FOLLOW: (&str, Evidence, &str) =
-    ("height", Specified, "Meador: up to a quarter tip above centre; Alciatore: slight follow");
+const FOLLOW: (&str, Evidence, &str) = (
+    "height",
+    Specified,
+    "Meador: up to a quarter of the tip's width above centre; Alciatore: slight follow",
+);
 const ELEVATION: (&str, Evidence, &str) =
     ("elevation", Specified, "the least that clears the rail; Alciatore: slightly raised for that");
 const SQUARE: (&str, Evidence, &str) =
@@ -81,7 +85,7 @@ const EIGHT_BALL: BreakPreset = BreakPreset {
     speed: FULL_SPEED,
     aim: (1, 0.0),
     side: 0.0,
-    height: QUARTER_TIP,
+    height: QUARTER_WIDTH,
     gap: USUAL_GAP,
     middle_on_spot: false,
     sources: &[

@@ -30,6 +30,14 @@ use crate::physics::{Cue, Tip};
 use crate::resolve::SPIN_PER_IMPULSE;
 use crate::resolve::network::{TipTouch, stiffness_of_time};
 
+/// One tip, the unit in which players count English, follow and draw: ball radii.
+///
+/// Three tips are half a radius, where a usual tip miscues (Alciatore, TP 2.1). It is also the way
+/// of the contact point, d·R/(R + r), when the cue moves aside by half the width of a 13 mm tip: d =
+/// 6.5 mm, R = 28.6 mm, and r = 10.6 mm, the curvature of a US nickel, give 0.166 R. It is not the
+/// width of a tip, which is 0.45 R.
+pub const TIP: f64 = 1.0 / 6.0;
+
 /// A strike, in the shooter's frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Strike {

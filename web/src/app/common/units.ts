@@ -10,7 +10,7 @@ export const SPEED_UNITS: Readonly<Record<SpeedUnit, number>> = {
   mph: 1609.344 / 3600,
 };
 
-/** Offset of a tip, as players count English, in ball radii: three tips are at the edge of a miscue. */
+/** One tip, in ball radii: the engine's `tip`, for what is shown before the engine is there. */
 export const TIP = 1 / 6;
 
 /** `v` (m/s) as a number in `unit`. */

@@ -1,5 +1,6 @@
 import { expect, test } from "vitest";
-import { round, speedFrom, speedIn, SPEED_UNITS } from "../../../src/app/common/units.ts";
+import { load } from "../../../src/engine/index.ts";
+import { round, speedFrom, speedIn, SPEED_UNITS, TIP } from "../../../src/app/common/units.ts";
 
 test("a speed converted to a unit and back is unchanged", () => {
   expect(speedIn("km/h", 10)).toBeCloseTo(36, 12);
@@ -12,4 +13,9 @@ test("a speed converted to a unit and back is unchanged", () => {
 test("numbers are rounded without a negative zero", () => {
   expect(round(0.1 + 0.2, 3)).toBe(0.3);
   expect(Object.is(round(-0.0001, 2), 0)).toBe(true);
+});
+
+test("the page and Python count English in the same tips", async () => {
+  // Seen: two tips of follow on the page were ¾ of a tip in Python, whose tip was as wide as a cue's.
+  expect(TIP).toBe((await load()).tip);
 });
