@@ -21,7 +21,7 @@ from carom.batch import BatchResult, simulate_batch
 from carom.build import Layout, Physics, Strike, Table
 from carom.call import Call
 from carom.cloth import rolling_bands
-from carom.errors import CaromError, EventCapError, InputError, PageError
+from carom.errors import CaromError, EndlessMotionError, EventCapError, InputError, PageError
 from carom.noise import Noise, NoisyResult, Perception
 from carom.plan import (
     Acceptance,
@@ -66,6 +66,7 @@ __all__ = [
     "Chance",
     "CushionTable",
     "Decision",
+    "EndlessMotionError",
     "Evaluation",
     "EventCapError",
     "Frame",

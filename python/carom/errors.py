@@ -6,7 +6,12 @@ a ``ValueError``.
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any, ClassVar
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    import carom
 
 
 class CaromError(Exception):
@@ -28,9 +33,24 @@ class EventCapError(CaromError):
         shot: The shot file (``carom-shot/1``) as a dict, for a bug report.
     """
 
+    # carom/shot.py sets it, because this module must not import the layers above it.
+    _trace_of: ClassVar[Callable[[dict[str, Any]], carom.Trace]]
+
     def __init__(self, message: str, shot: dict[str, Any]) -> None:
-        super().__init__(message, shot)
+        Exception.__init__(self, message, shot)
         self.shot = shot
+
+    @property
+    def trace(self) -> carom.Trace:
+        """The trace up to the cap; its ``end`` is ``"cap"``. The shot is simulated again for it."""
+        return EventCapError._trace_of(self.shot)
 
     def __str__(self) -> str:
         return str(self.args[0])
+
+
+class EndlessMotionError(EventCapError, InputError):
+    """A shot reached ``max_events`` because no friction stops its balls between the rails.
+
+    It is bad input: give the shot an end time, ``until``.
+    """

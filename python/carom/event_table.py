@@ -152,6 +152,9 @@ def summary(trace: dict[str, Any]) -> list[str]:
     lines = [
         f"{count} event{'s' * (count != 1)} in {trace['duration']:.4f} s, hash {trace['hash']}"
     ]
+    if (ended := trace.get("end")) in _CUT_OFF:
+        moving = [ball["id"] for ball in trace["final"] if ball["motion"] not in _AT_REST]
+        lines.append(f"{_CUT_OFF[ended]}; still moving: {', '.join(moving)}")
     if outcome.get("first_contact") is not None:
         lines.append(f"first contact: {outcome['first_contact']}")
     pocketed = outcome.get("pocketed") or []
@@ -166,6 +169,11 @@ def summary(trace: dict[str, Any]) -> list[str]:
     if outcome.get("cue_obstructed"):
         lines.append(f"the cue would pass through: {outcome['cue_obstructed']}{_remedy(outcome)}")
     return list(map(printable, lines))
+
+
+# Ends at which balls may still move, in words.
+_CUT_OFF = {"until": "ends at its end time", "cap": "stopped at its cap of events"}
+_AT_REST = ("stationary", "pocketed", "off-table")
 
 
 def _in_pockets(pairs: list[tuple[str, str]]) -> str:

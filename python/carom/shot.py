@@ -11,6 +11,7 @@ from carom import _core, arguments, plan
 from carom._core import Shot as CoreShot
 from carom.batch import VARIABLES, batch, own_strike
 from carom.build import Layout, Physics, Strike, Table
+from carom.errors import EventCapError
 from carom.files import read_text, shown
 from carom.lazy import np
 from carom.noise import vary
@@ -37,6 +38,8 @@ class Shot:
         strike: The strike; None if the balls have velocities of their own.
         physics: The parameters; None is the preset that belongs to the table.
         max_events: Largest number of events; more are an error. None is the engine's default.
+        until: End time, s since the strike, > 0: the trace and every result are those of this
+            instant, also if balls still move. None for an end at rest.
         cling: The contacts that cling, as the shot file has them; None for none.
 
     Raises:
@@ -54,6 +57,7 @@ class Shot:
         *,
         physics: Physics | str | Mapping[str, Any] | None = None,
         max_events: int | None = None,
+        until: float | None = None,
         cling: Mapping[str, Any] | None = None,
     ) -> None:
         file: dict[str, Any] = {
@@ -67,6 +71,7 @@ class Shot:
             "physics": physics,
             "strike": strike.to_dict() if isinstance(strike, Strike) else strike,
             "cling": cling,
+            "until": until,
             "max_events": max_events,
         }
         file |= {key: value for key, value in optional.items() if value is not None}
@@ -196,15 +201,31 @@ class Shot:
         strike = (new_speed, new_azimuth, raised, new_side, new_height)
         return self._wrap(self._core.with_strike(strike))
 
+    @property
+    def until(self) -> float | None:
+        """End time, s since the strike; None if the shot ends when all balls are at rest."""
+        return self._core.until
+
+    def with_until(self, until: float | None) -> Self:
+        """The same shot with another end time, s since the strike; None for an end at rest.
+
+        Raises:
+            InputError: The time is not above 0, or not finite.
+        """
+        time = None if until is None else arguments.number("until", until)
+        return self._wrap(self._core.with_until(time))
+
     def geometry(self) -> dict[str, Any]:
         """The table's dimensions, cushions and pockets, m, origin at the bottom left corner."""
         return self._core.geometry()
 
     def simulate(self) -> Trace:
-        """Simulate the shot to its end.
+        """Simulate the shot to its end: until all balls rest, or to its end time ``until``.
 
         Raises:
-            EventCapError: It reached its largest number of events; the error has the shot.
+            EventCapError: It reached its largest number of events; the error has the shot and
+                the trace so far. If no friction stops a ball between the rails, the error is also
+                an ``InputError``, whose remedy is an end time.
         """
         return Trace._wrap(_core.simulate(self._core))
 
@@ -250,8 +271,14 @@ class Shot:
         return f"<carom.Shot: {count} ball{'s' * (count != 1)} on {name}>"
 
 
-# A trace has its shot, which this module defines.
+def _trace_to_cap(file: dict[str, Any]) -> Trace:
+    """The trace of a shot that reaches its cap of events."""
+    return Trace._wrap(_core.simulate_to_cap(_core.Shot.from_object(file)))
+
+
+# A trace has its shot, and the error of the event cap its trace.
 Trace._shot_of = Shot._wrap
+EventCapError._trace_of = _trace_to_cap
 
 
 def _balls(layout: Any) -> Any:

@@ -134,8 +134,20 @@ class Trace:
 
     @property
     def duration(self) -> float:
-        """Time from the strike until all balls rest, s."""
+        """Time from the strike to the end, s.
+
+        It is the time of the last event, or the shot's end time if a ball still moves then.
+        """
         return self._core.duration
+
+    @property
+    def end(self) -> str:
+        """What ended the shot.
+
+        ``"rest"``: nothing more can happen; ``"until"``: the shot's end time, at which a ball still
+        moves; ``"cap"``: the largest number of events, in the trace of an ``EventCapError``.
+        """
+        return self._core.end
 
     @property
     def hash(self) -> str:
@@ -148,7 +160,7 @@ class Trace:
         Args:
             time: Time since the strike, s, ≥ 0; a number or an array of shape (n_times,). At the
                 instant of an event the state is the one after it; past the end it is the final
-                state.
+                state. Only after an end at rest a ball that no friction stops moves on.
 
         Raises:
             InputError: A time is negative or not finite, or the array has more than one axis.

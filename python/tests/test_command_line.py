@@ -253,6 +253,41 @@ def test_reaching_a_chosen_cap_of_events_shows_the_shot_on_stderr(
     assert carom.Shot.from_json(shot) == carom.Shot.from_dict(pot)
 
 
+def test_an_end_time_cuts_a_shot_off(run: CommandLine, file: Path) -> None:
+    trace = run("shot", str(file), "--until", "0.5", "--json").stdout
+    written = json.loads(trace)
+    assert (written["duration"], written["end"]) == (0.5, "until")
+    assert written["shot"]["until"] == 0.5
+    assert "reproduced bit by bit" in run("replay", "--check", "-", stdin=trace).stdout
+    table = run("shot", str(file), "--until", "0.5").stdout
+    assert "ends at its end time; still moving: " in table
+    refused(run("shot", str(file), "--until", "-1"), "until", "a number > 0 s")
+
+
+def test_motion_without_friction_is_bad_input_and_not_our_bug(run: CommandLine) -> None:
+    # Seen: exit code 1 for a shot that no friction can stop.
+    cloth = {"sliding_friction": 0, "rolling_friction": 0, "spin_deceleration": 0}
+    shot = {
+        "format": "carom-shot/1",
+        "table": {"length": 2, "width": 1, "pockets": "none"},
+        "physics": {"base": "ideal", "cloth": cloth},
+        "balls": [{"id": "cue", "position": [0.5, 0.5], "velocity": [1, 0.3, 0]}],
+    }
+    done = run("shot", "-", stdin=json.dumps(shot))
+    assert (done.returncode, done.stdout) == (2, "")
+    assert "until: no friction stops" in done.stderr
+    done = run("shot", "-", "--until", "20", stdin=json.dumps(shot))
+    assert done.returncode == 0
+
+
+def test_a_trace_that_ended_at_its_cap_is_reproduced(run: CommandLine, pot: dict[str, Any]) -> None:
+    pot["max_events"] = 3
+    with pytest.raises(carom.EventCapError) as error:
+        carom.Shot.from_dict(pot).simulate()
+    done = run("replay", "--check", "-", stdin=error.value.trace.to_json())
+    assert "3 events" in done.stdout
+
+
 def test_a_bug_of_ours_is_reported_as_one_with_instructions(tmp_path: Path) -> None:
     program = (
         "import sys, carom\n"

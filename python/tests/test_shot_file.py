@@ -342,5 +342,76 @@ def test_reaching_the_cap_of_events_is_an_error_with_the_shot(pot: dict[str, Any
     with pytest.raises(carom.EventCapError, match="3 events") as error:
         Shot.from_dict(pot).simulate()
     assert Shot.from_dict(error.value.shot) == Shot.from_dict(pot)
+    trace = error.value.trace
+    assert (len(trace), trace.end) == (3, "cap")
+    assert carom.Trace.from_dict(trace.to_dict()) == trace
     again = pickle.loads(pickle.dumps(error.value))
-    assert again.shot == error.value.shot
+    assert (again.shot, again.trace) == (error.value.shot, trace)
+    assert str(again) == str(error.value)
+    assert not isinstance(error.value, InputError)
+
+
+_SMOOTH = {"sliding_friction": 0, "rolling_friction": 0, "spin_deceleration": 0}
+
+
+def _endless(**more: Any) -> Shot:
+    balls = {"cue": (0.5, 0.5), "1": (0.5, 1.5)}
+    strike = carom.Strike(1.0, 0.65, elevation=0.0)
+    table = {"length": 2, "width": 1, "pockets": "none"}
+    return Shot(table, balls, strike, physics={"base": "ideal", "cloth": _SMOOTH}, **more)
+
+
+def test_motion_without_an_end_is_bad_input_and_gives_the_trace_so_far() -> None:
+    # Seen: exit code 1, "report the shot file", for balls that no friction can stop.
+    shot = _endless(max_events=100)
+    with pytest.raises(
+        InputError, match=r'^until: no friction stops ball "cue".*write the time'
+    ) as e:
+        shot.simulate()
+    assert isinstance(e.value, carom.EndlessMotionError)
+    assert len(e.value.trace) == 100
+    assert pickle.loads(pickle.dumps(e.value)).trace == e.value.trace
+    result = shot.batch(speed=[1.0, 2.0])
+    assert all(text.startswith("until: ") for text in result.errors.values())
+    assert len(result.errors) == 2
+
+
+def test_a_shot_with_an_end_time_ends_there_everywhere() -> None:
+    shot = _endless(until=3.0)
+    trace = shot.simulate()
+    assert (shot.until, trace.end, trace.duration) == (3.0, "until", 3.0)
+    assert trace.to_dict()["end"] == "until"
+    np.testing.assert_array_equal(trace.at(3.0).position, trace.at(99.0).position)
+    final = [ball["position"] for ball in trace.to_dict()["final"]]
+    np.testing.assert_array_equal(final, trace.at(3.0).position)
+    np.testing.assert_array_equal(carom.simulate_batch([shot]).final_position[0], final)
+    np.testing.assert_array_equal(shot.batch(speed=[1.0]).final_position[0], final)
+    assert shot.with_strike(speed=2.0).simulate().duration == 3.0
+    assert "ends at its end time; still moving: cue" in str(trace)
+    assert pickle.loads(pickle.dumps(shot)) == shot == Shot.from_dict(shot.to_dict())
+    assert shot.with_until(None).until is None
+    for wrong in (0.0, -1.0, float("nan"), "soon"):
+        with pytest.raises(InputError, match=r"^until: "):
+            shot.with_until(wrong)  # type: ignore[arg-type]
+        with pytest.raises(InputError, match=r"^until: "):
+            _endless(until=wrong)
+
+
+def test_questions_of_a_shot_follow_its_end_time() -> None:
+    shot = Shot.load("shots/bank_shot.json")
+    falls = next(e.time for e in shot.simulate().events if e.type == "pocket-collision")
+    noise = carom.Noise(speed=0.0, azimuth=0.0, elevation=0.0, side_m=0.0, height_m=0.0)
+    for until, potted in ((falls - 1e-6, 0), (falls, 5)):
+        evaluation = shot.with_until(until).evaluate(noise, n=5)
+        assert evaluation.potted.sum() == potted
+        batch = shot.with_until(until).batch(azimuth=[shot.azimuth])
+        assert 5 * (batch.pocket >= 0).sum() == potted
+
+
+def test_the_rules_of_a_game_do_not_judge_a_shot_that_is_cut_off(pot: dict[str, Any]) -> None:
+    frame = carom.Frame.of_shot("practice", carom.break_shot("eight-ball").with_until(0.1))
+    assert frame.shot(carom.Strike(1.0, 1.5)).until is None
+    game = carom.Frame("nine-ball")
+    asked = game.shot(carom.Strike(8.0, 1.57), cue_ball=(0.635, 0.6)).with_until(0.5)
+    with pytest.raises(InputError, match=r"^until: .*at rest; leave it out"):
+        asked.evaluate(carom.Noise.preset("club"), frame=game, n=10)

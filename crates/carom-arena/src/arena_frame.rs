@@ -388,8 +388,8 @@ impl ArenaFrame {
                 self.racked = ruling.racked;
                 Ok(Effect::Played { execution, ruling, trace })
             }
-            Err(Error::TooManyEvents { cap, .. }) => {
-                let why = format!("a shot reached its cap of {cap} events");
+            Err(Error::TooManyEvents(error)) => {
+                let why = format!("a shot reached its cap of {} events", error.cap);
                 let reason = EndReason::EventCap;
                 self.end = Some(FrameEnd { winner: None, reason, why });
                 Ok(Effect::Capped { execution })

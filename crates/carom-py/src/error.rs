@@ -6,18 +6,19 @@ use carom_arena::ArenaError;
 use pyo3::exceptions::PyOSError;
 use pyo3::prelude::*;
 
-use crate::exceptions::{EventCapError, InputError};
+use crate::exceptions::{EndlessMotionError, EventCapError, InputError};
 use crate::node::to_python;
 
 /// The exception for `error`.
 pub(crate) fn to_exception(py: Python<'_>, error: &Error) -> PyErr {
     let text = error.to_string();
     match error {
-        Error::TooManyEvents { shot, .. } => {
-            let file = ShotFile::from_json(shot)
+        Error::TooManyEvents(cap) => {
+            let file = ShotFile::from_json(&cap.shot)
                 .map_err(|e| to_exception(py, &e))
                 .and_then(|shot| to_python(py, &shot.to_node()).map(Bound::unbind));
             match file {
+                Ok(file) if error.is_bad_input() => EndlessMotionError::new_err((text, file)),
                 Ok(file) => EventCapError::new_err((text, file)),
                 Err(other) => other,
             }

@@ -59,7 +59,7 @@ mod _core {
         row_shot, unknown_word, wrong_type,
     };
     #[pymodule_export]
-    use crate::trace::{Trace, simulate};
+    use crate::trace::{Trace, simulate, simulate_to_cap};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -121,6 +121,16 @@ impl Shot {
         Ok(Self(shot.map_err(|e| to_exception(py, &e))?.into()))
     }
 
+    #[getter]
+    fn until(&self) -> Option<f64> {
+        self.0.until()
+    }
+
+    fn with_until(&self, py: Python<'_>, until: Option<f64>) -> PyResult<Self> {
+        let shot = self.0.with_until(until).map_err(|e| to_exception(py, &e))?;
+        Ok(Self(shot.into()))
+    }
+
     fn __len__(&self) -> usize {
         self.0.balls().len()
     }

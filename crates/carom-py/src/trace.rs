@@ -52,6 +52,13 @@ pub(crate) fn simulate(py: Python<'_>, shot: &Shot) -> PyResult<Trace> {
     Ok(Trace::new(trace, shot.0.clone()))
 }
 
+/// The trace of a shot, up to its cap of events if it reaches it.
+#[pyfunction]
+pub(crate) fn simulate_to_cap(py: Python<'_>, shot: &Shot) -> PyResult<Trace> {
+    let (trace, _) = py.detach(|| shot.0.simulate_to_cap()).map_err(|e| to_exception(py, &e))?;
+    Ok(Trace::new(trace, shot.0.clone()))
+}
+
 type Cube<'py> = Bound<'py, PyArray3<f64>>;
 type States<'py> = (Cube<'py>, Cube<'py>, Cube<'py>, Cube<'py>, Vec<&'static str>);
 
@@ -113,6 +120,11 @@ impl Trace {
     #[getter]
     fn duration(&self) -> f64 {
         self.trace.duration()
+    }
+
+    #[getter]
+    fn end(&self) -> &'static str {
+        self.trace.end().name()
     }
 
     #[getter]

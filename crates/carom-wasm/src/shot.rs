@@ -114,9 +114,27 @@ impl Shot {
         Ok(Self(shot.map_err(|e| to_exception(&e))?.into()))
     }
 
+    /// The end time, s.
+    pub fn until(&self) -> Option<f64> {
+        self.0.until()
+    }
+
+    /// The same shot with another end time (s), or none.
+    #[wasm_bindgen(js_name = withUntil)]
+    pub fn with_until(&self, until: Option<f64>) -> Result<Self, JsValue> {
+        Ok(Self(self.0.with_until(until).map_err(|e| to_exception(&e))?.into()))
+    }
+
     /// Simulates the shot and records all its events.
     pub fn simulate(&self) -> Result<Trace, JsValue> {
         let trace = self.0.simulate().map_err(|e| to_exception(&e))?;
+        Ok(Trace::new(trace, self.0.clone()))
+    }
+
+    /// The same; a shot that reaches its cap of events gives the trace so far.
+    #[wasm_bindgen(js_name = simulateToCap)]
+    pub fn simulate_to_cap(&self) -> Result<Trace, JsValue> {
+        let (trace, _) = self.0.simulate_to_cap().map_err(|e| to_exception(&e))?;
         Ok(Trace::new(trace, self.0.clone()))
     }
 }

@@ -62,9 +62,14 @@ impl Trace {
         self.trace.outcome().to_node(self.trace.shot()).to_json()
     }
 
-    /// Time from the strike to the last event, s.
+    /// Time from the strike to the end, s.
     pub fn duration(&self) -> f64 {
         self.trace.duration()
+    }
+
+    /// What ended the shot: `rest`, `until` or `cap`.
+    pub fn end(&self) -> String {
+        self.trace.end().name().into()
     }
 
     /// Sixteen hexadecimal digits over the exact bits of events and final states.

@@ -58,6 +58,11 @@ impl MotionState {
         }
     }
 
+    /// Whether nothing but an impact moves the ball: it lies still, or is out of play.
+    pub const fn is_at_rest(self) -> bool {
+        matches!(self, Self::Stationary | Self::Pocketed | Self::OffTable)
+    }
+
     /// Whether the ball still takes part in the shot.
     pub const fn in_play(self) -> bool {
         !matches!(self, Self::Pocketed | Self::OffTable)

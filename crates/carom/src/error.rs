@@ -5,18 +5,29 @@ use alloc::string::String;
 use core::fmt;
 
 /// An error, in the user's terms.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
     /// Bad input, refused before anything is simulated.
     Input(Box<InputError>),
-    /// The shot reached its cap of events. Please report it with the shot that it carries.
-    TooManyEvents {
-        /// The cap, `max_events`.
-        cap: u32,
-        /// The shot file, JSON.
-        shot: String,
-    },
+    /// The shot reached its cap of events. Please report it with the shot that it carries, unless
+    /// the input is at fault ([`Error::is_bad_input`]).
+    TooManyEvents(Box<EventCapError>),
+}
+
+/// A shot that reached its cap of events.
+#[derive(Clone, Debug, PartialEq)]
+pub struct EventCapError {
+    /// The cap, `max_events`.
+    pub cap: u32,
+    /// Time of the last event, s.
+    pub time: f64,
+    /// The id of a ball that no friction stops, if there is one and the table has rails: the motion
+    /// has no end, and the input is at fault.
+    pub never_resting: Option<String>,
+    /// The shot file, JSON; [`Shot::simulate_to_cap`](crate::Shot::simulate_to_cap) of it gives the
+    /// trace so far.
+    pub shot: String,
 }
 
 /// Bad input: the place, the fault and the remedy.
@@ -64,7 +75,10 @@ impl Error {
 
     /// Whether the input is at fault (exit code 2), not the engine.
     pub const fn is_bad_input(&self) -> bool {
-        matches!(self, Self::Input(_))
+        match self {
+            Self::Input(_) => true,
+            Self::TooManyEvents(error) => error.never_resting.is_some(),
+        }
     }
 }
 
@@ -78,10 +92,25 @@ impl fmt::Display for Error {
                 f.write_str(&e.what)?;
                 if e.remedy.is_empty() { Ok(()) } else { write!(f, "; {}", e.remedy) }
             }
-            Self::TooManyEvents { cap, .. } => write!(
+            Self::TooManyEvents(error) => error.fmt(f),
+        }
+    }
+}
+
+impl fmt::Display for EventCapError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { cap, time, never_resting, .. } = self;
+        match never_resting {
+            Some(id) => write!(
                 f,
-                "max_events: the shot was stopped at its cap of {cap} events; raise the cap, or, \
-                 if it cannot have so many events, report the shot file that this error carries"
+                "until: no friction stops ball \"{id}\", and the shot was stopped at its cap of \
+                 {cap} events, at {time:.6} s; write the time in s at which the shot shall end"
+            ),
+            None => write!(
+                f,
+                "max_events: the shot was stopped at its cap of {cap} events, at {time:.6} s; raise \
+                 the cap, or, if it cannot have so many events, report the shot file that this \
+                 error carries; with \"until\" the shot ends earlier"
             ),
         }
     }

@@ -66,7 +66,7 @@ pub struct Outcome {
     /// touched it at the start, or lay so near that it met them while the tip was on it or just
     /// after.
     pub met_during_strike: Vec<u16>,
-    /// Balls that never come to rest, because friction is zero.
+    /// Balls that move at the end and never come to rest, because friction is zero.
     pub never_resting: Vec<u16>,
     /// Number of events.
     pub events: u32,

@@ -93,7 +93,8 @@ impl Range {
         let open = if self.low_open { '(' } else { '[' };
         let close = if self.high_open { ')' } else { ']' };
         if self.low == 0.0 && self.high == LARGEST {
-            return format!("a number ≥ 0{unit} (at most {LARGEST:e})");
+            let sign = if self.low_open { '>' } else { '≥' };
+            return format!("a number {sign} 0{unit} (at most {LARGEST:e})");
         }
         if self.low == -LARGEST && self.high == LARGEST {
             return format!("a finite number (at most {LARGEST:e}{unit} in size)");

@@ -70,16 +70,17 @@ impl fmt::Display for SimulationError {
 
 impl core::error::Error for SimulationError {}
 
-/// Duration and number of events of a finished shot.
+/// Duration and number of events of a shot.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Summary {
-    /// Time of the last event, s.
+    /// Time of the last event, s; the shot's end time if a ball still moves then.
     pub duration: f64,
     /// Number of events, the strike included.
     pub events: u32,
 }
 
-/// Simulates `shot` from the strike to rest and passes every event to `recorder`.
+/// Simulates `shot` from the strike to rest, or to its end time, and passes every event to
+/// `recorder`.
 ///
 /// # Errors
 /// [`SimulationError`] if the strike cannot be played or the cap on events is reached.
@@ -261,7 +262,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             assert!(*struck < self.n, "there is no ball {struck} in a shot of {} balls", self.n);
             self.on_cue_strike(*struck, strike, &mut step)?;
         }
-        self.run(shot.max_events, &mut step)
+        self.run(shot, &mut step)
     }
 
     /// Puts the shot's balls on the table, at time 0, before the strike.
@@ -281,14 +282,16 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.earliest[self.n..].fill(f64::INFINITY);
     }
 
-    /// Runs from time 0 until no event is left.
+    /// Runs from time 0 until no event is left, or to the end time of `shot`.
     fn run<R: Recorder>(
         &mut self,
-        max_events: u32,
+        shot: &Shot,
         step: &mut StepContext<'_, R>,
     ) -> Result<Summary, SimulationError> {
+        let max_events = shot.max_events;
+        let last = shot.until.unwrap_or(f64::MAX);
         self.find_all_candidates(step.table);
-        while let Some((time, next)) = self.next() {
+        while let Some((time, next)) = self.next(last) {
             if step.events >= max_events {
                 return Err(SimulationError::TooManyEvents { max_events, time: step.time });
             }
@@ -300,7 +303,16 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
                 NextEvent::BallContact(i, j) => self.on_ball_contact(i, j, step),
             }
         }
-        Ok(Summary { duration: step.time, events: step.events })
+        let duration = match shot.until {
+            Some(until) if self.any_moves() => until,
+            _ => step.time,
+        };
+        Ok(Summary { duration, events: step.events })
+    }
+
+    /// Whether a ball is not at rest.
+    fn any_moves(&self) -> bool {
+        self.path[..self.n].iter().any(|path| !path.motion.is_at_rest())
     }
 
     /// Number of balls.
@@ -326,11 +338,11 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         shot.to_file_frame(i, &self.state(i, time))
     }
 
-    /// The earliest candidate in the total order of events.
+    /// The earliest candidate in the total order of events, not later than `last`, s.
     #[inline(always)]
-    fn next(&self) -> Option<(f64, NextEvent)> {
+    fn next(&self, last: f64) -> Option<(f64, NextEvent)> {
         let time = row::least(&self.earliest, self.n);
-        if time == f64::INFINITY {
+        if time > last {
             return None;
         }
         let mut next: Option<NextEvent> = None;

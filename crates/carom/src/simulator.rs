@@ -1,13 +1,16 @@
 //! A simulator that plays shots with any number of balls.
 
 use alloc::boxed::Box;
-
+use alloc::string::String;
 use alloc::vec::Vec;
 
-use crate::error::Error;
+use crate::error::{Error, EventCapError};
 use crate::event::Recorder;
 use crate::limits::{MAX_BALLS, SMALL_CAPACITY};
+use crate::math::Vec3;
+use crate::motion::never_rests;
 use crate::resolve::cue_ball::Strike;
+use crate::shot::PlacedBall;
 use crate::simulate::{Simulation, SimulationError, Summary};
 use crate::trace::TraceRecorder;
 use crate::{BallState, Shot, ShotFile, Trace, shot};
@@ -54,7 +57,7 @@ impl Simulator {
         Self { few: Box::new(Simulation::new()), many: None, in_many: false }
     }
 
-    /// Plays `shot` from the strike to rest; `recorder` gets every event.
+    /// Plays `shot` from the strike to rest, or to its end time; `recorder` gets every event.
     ///
     /// # Errors
     /// [`Error::Input`] if the strike cannot be played, [`Error::TooManyEvents`] with the shot file
@@ -84,7 +87,7 @@ impl Simulator {
         } else {
             self.few.play_strike(shot, strike, recorder)
         };
-        played.map_err(|failure| explain(shot, strike, failure))
+        played.map_err(|failure| self.explain(shot, strike, failure))
     }
 
     /// Plays `shot` and records everything.
@@ -92,10 +95,69 @@ impl Simulator {
     /// # Errors
     /// As [`Self::play`].
     pub fn record(&mut self, shot: &Shot) -> Result<Trace, Error> {
+        match self.record_to_cap(shot)? {
+            (trace, None) => Ok(trace),
+            (_, Some(cap)) => Err(Error::TooManyEvents(cap)),
+        }
+    }
+
+    /// As [`Self::record`]; a shot that reaches its cap on events gives the trace so far, and the
+    /// error.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the strike cannot be played.
+    pub fn record_to_cap(
+        &mut self,
+        shot: &Shot,
+    ) -> Result<(Trace, Option<Box<EventCapError>>), Error> {
         let mut recorder = TraceRecorder::new(shot);
-        let summary = self.play(shot, &mut recorder)?;
-        let last: Vec<BallState> = self.states(summary.duration).collect();
-        Ok(recorder.finish(&last, summary.duration))
+        match self.play(shot, &mut recorder) {
+            Ok(Summary { duration, .. }) => {
+                let last: Vec<BallState> = self.states(duration).collect();
+                Ok((recorder.finish(&last, duration), None))
+            }
+            Err(Error::TooManyEvents(cap)) => {
+                let last: Vec<BallState> = self.states(cap.time).collect();
+                Ok((recorder.finish_at_cap(&last, cap.time), Some(cap)))
+            }
+            Err(other) => Err(other),
+        }
+    }
+
+    /// The error, in the user's terms, of `shot` played with `strike`.
+    #[cold]
+    fn explain(
+        &self,
+        shot: &Shot,
+        strike: Option<(usize, Strike)>,
+        failure: SimulationError,
+    ) -> Error {
+        match (failure, strike) {
+            (SimulationError::Strike(e), Some((_, strike))) => shot::explain("strike", &strike, e),
+            (SimulationError::Strike(e), None) => Error::input("strike", e.fault(), e.remedy()),
+            (SimulationError::TooManyEvents { max_events, time }, _) => {
+                let mut played = shot.clone();
+                played.strike = strike;
+                Error::TooManyEvents(Box::new(EventCapError {
+                    cap: max_events,
+                    time,
+                    never_resting: self.never_resting(shot, time),
+                    shot: played.to_json(),
+                }))
+            }
+        }
+    }
+
+    /// The id of a ball whose centre moves for ever between the rails, if there is one.
+    fn never_resting(&self, shot: &Shot, time: f64) -> Option<String> {
+        let physics = shot.physics();
+        let moves = |(placed, state): &(&PlacedBall, BallState)| {
+            state.velocity != Vec3::ZERO
+                && never_rests(state, &placed.ball, &physics.cloth, physics.gravity)
+        };
+        let has_rails = !shot.table().cushions.is_empty();
+        let mut balls = shot.balls().iter().zip(self.states(time));
+        balls.find(moves).filter(|_| has_rails).map(|(placed, _)| placed.id.clone())
     }
 
     /// Number of balls of the last shot.
@@ -153,6 +215,15 @@ impl Shot {
     pub fn simulate(&self) -> Result<Trace, Error> {
         Simulator::new().record(self)
     }
+
+    /// As [`Self::simulate`]; a shot that reaches its cap on events gives the trace so far, and the
+    /// error.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if the strike cannot be played.
+    pub fn simulate_to_cap(&self) -> Result<(Trace, Option<Box<EventCapError>>), Error> {
+        Simulator::new().record_to_cap(self)
+    }
 }
 
 impl ShotFile {
@@ -162,21 +233,11 @@ impl ShotFile {
     /// As [`Shot::simulate`].
     pub fn simulate(&self) -> Result<Trace, Error> {
         self.shot().simulate().map_err(|error| match error {
-            Error::TooManyEvents { cap, .. } => Error::TooManyEvents { cap, shot: self.to_json() },
+            Error::TooManyEvents(mut error) => {
+                error.shot = self.to_json();
+                Error::TooManyEvents(error)
+            }
             other => other,
         })
-    }
-}
-
-/// The error, in the user's terms, of `shot` played with `strike`.
-fn explain(shot: &Shot, strike: Option<(usize, Strike)>, failure: SimulationError) -> Error {
-    match (failure, strike) {
-        (SimulationError::Strike(e), Some((_, strike))) => shot::explain("strike", &strike, e),
-        (SimulationError::Strike(e), None) => Error::input("strike", e.fault(), e.remedy()),
-        (SimulationError::TooManyEvents { max_events, .. }, _) => {
-            let mut played = shot.clone();
-            played.strike = strike;
-            Error::TooManyEvents { cap: max_events, shot: played.to_json() }
-        }
     }
 }

@@ -28,7 +28,7 @@ def replay(
     """Simulate the shot of a saved trace again; print the trace."""
     text = read(file)
     saved = carom.Trace._read(text, file_name(file))
-    again = saved.shot.simulate()
+    again = _simulated(saved.shot)
     if not check:
         emit(again.to_json())
         return
@@ -41,6 +41,14 @@ def replay(
             engine = f"; it was saved by {written['engine']}, and this is {ours['engine']}"
         raise InputError(f"{file}: not reproduced: {difference}{engine}")
     emit(f"reproduced bit by bit: {len(again)} events, hash {again.hash}")
+
+
+def _simulated(shot: carom.Shot) -> carom.Trace:
+    """The trace of a shot, also if it ends at its cap of events."""
+    try:
+        return shot.simulate()
+    except carom.EventCapError as error:
+        return error.trace
 
 
 def _other_outcome(written: dict[str, Any], ours: dict[str, Any]) -> str | None:

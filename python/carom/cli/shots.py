@@ -29,13 +29,24 @@ Png = Annotated[Path | None, typer.Option("--png", metavar="OUT", help="Write a 
 
 def shot(
     file: Annotated[str, typer.Argument(metavar="FILE", help="A shot file; - is stdin.")],
+    until: Annotated[
+        float | None,
+        typer.Option(
+            "--until",
+            metavar="S",
+            help="End the shot at this time, s, also if balls still move; default: as in the file.",
+        ),
+    ] = None,
     json: Json = False,
     html: Html = None,
     svg: Svg = None,
     png: Png = None,
 ) -> None:
     """Simulate a shot file; print its table of events."""
-    trace = read_shot(file).simulate()
+    asked = read_shot(file)
+    if until is not None:
+        asked = asked.with_until(until)
+    trace = asked.simulate()
     title = "shot" if file == "-" else Path(file).stem.replace("_", " ").replace("-", " ")
     _show(trace, title, json=json, html=html, svg=svg, png=png)
 

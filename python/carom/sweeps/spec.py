@@ -361,7 +361,7 @@ def _parameters(vary: Any) -> tuple[Parameter, ...]:
 
 def _check_path(place: str, path: str) -> None:
     head = re.split(r"[.\[]", path)[0]
-    tops = ("table", "physics", "balls", "strike", "max_events")
+    tops = ("table", "physics", "balls", "strike", "until", "max_events")
     if head not in tops:
         _core.unknown_word(head, place, "key of a shot file", tops)
     if path == "balls" or re.fullmatch(r"balls[.\[][^.\[]+\]?(\.id)?", path):

@@ -41,6 +41,7 @@ import {
   type StrikeInput,
   STRIDE,
   type Trace,
+  type TraceEnd,
   type TraceFile,
   type VaryOptions,
 } from "./types.js";
@@ -125,6 +126,20 @@ class WasmEngine implements Engine {
 
   shot(file: string | ShotFile): Shot {
     return new WasmShot(checked(() => wasm.Shot.fromJson(json(file))));
+  }
+
+  traceToCap(error: CaromError): Trace {
+    if (error.shot === undefined) {
+      throw new CaromError(
+        "error: it is not one of a shot at its cap of events; simulate the shot",
+      );
+    }
+    const shot = checked(() => wasm.Shot.fromJson(error.shot!));
+    try {
+      return new WasmTrace(checked(() => shot.simulateToCap()));
+    } finally {
+      shot.free();
+    }
   }
 
   trace(file: string | TraceFile): Trace {
@@ -358,6 +373,15 @@ class WasmShot implements Shot {
     );
   }
 
+  get until() {
+    return this.handle.object.until() ?? null;
+  }
+
+  withUntil(until: number | null): Shot {
+    const time = until === null ? undefined : numbers("", { until }, ["until"])[0];
+    return new WasmShot(checked(() => this.handle.object.withUntil(time)));
+  }
+
   #indices(ball: string, pocket: string): readonly [number, number] {
     const balls = this.balls.map(({ id }) => id);
     const pockets = this.geometry.pockets.map(({ name }) => name);
@@ -466,6 +490,7 @@ function toBatch(batch: wasm.Batch): Batch {
 class WasmTrace implements Trace {
   readonly #handle: Handle<wasm.Trace>;
   readonly duration: number;
+  readonly end: TraceEnd;
   #shot: Shot | undefined;
   #hash: string | undefined;
   #events: Trace["events"] | undefined;
@@ -474,6 +499,7 @@ class WasmTrace implements Trace {
   constructor(trace: wasm.Trace) {
     this.#handle = new Handle("trace", trace);
     this.duration = trace.duration();
+    this.end = trace.end() as TraceEnd;
   }
 
   get hash() {

@@ -1,5 +1,6 @@
 /** The interface of the engine that `load` returns. */
 
+import type { CaromError } from "./error.js";
 import type { Player, PlayerOptions } from "./player.js";
 import type { Frame, FrameOptions, FrameRecord, FrameTerms } from "./rules.js";
 import type { Batch, Geometry, Noise, Shot, ShotFile, Trace, TraceFile } from "./types.js";
@@ -72,6 +73,12 @@ export interface Engine {
   shot(file: string | ShotFile): Shot;
   /** Reads a saved trace. @throws CaromError as `shot`. */
   trace(file: string | TraceFile): Trace;
+  /**
+   * The trace so far of a shot that reached its cap of events, from the error that it raised; its `end` is
+   * "cap". The shot is simulated again.
+   * @throws CaromError for another error.
+   */
+  traceToCap(error: CaromError): Trace;
   /** The break of a game. @throws CaromError for an unknown name or an option out of range. */
   breakShot(game: string, options?: BreakOptions): Shot;
   /** Simulates all shots, without traces. */

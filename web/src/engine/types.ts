@@ -18,6 +18,8 @@ export interface ShotFile {
   readonly strike?: StrikeEntry;
   /** The contacts of two balls that cling, counted from 0 in the order of the shot. */
   readonly cling?: { readonly contacts: readonly number[]; readonly friction?: number };
+  /** End time, s: the shot ends there, also if balls still move. */
+  readonly until?: number;
   readonly max_events?: number;
 }
 
@@ -263,13 +265,21 @@ export interface Outcome {
   readonly events: number;
 }
 
+/**
+ * What ended a shot: nothing more can happen; its end time, at which a ball still moves; or its cap of
+ * events, in the trace of an error.
+ */
+export type TraceEnd = "rest" | "until" | "cap";
+
 /** A `carom-trace/1`. */
 export interface TraceFile {
   readonly format: "carom-trace/1";
   readonly engine: string;
   readonly shot: ShotFile;
-  /** From the strike to the last event, s. */
+  /** From the strike to the end, s. */
   readonly duration: number;
+  /** Traces of early versions do not have it. */
+  readonly end?: TraceEnd;
   readonly events: readonly TraceEvent[];
   readonly final: readonly BallState[];
   readonly outcome: Outcome;
@@ -401,7 +411,17 @@ export interface Shot {
    * @throws CaromError for a strike that the engine refuses in a file, and if the shot has no strike.
    */
   withStrike(strike: StrikeInput): Shot;
-  /** @throws CaromError if the cap of events is reached. */
+  /** End time, s since the strike; null if the shot ends when all balls are at rest. */
+  readonly until: number | null;
+  /**
+   * The same shot with another end time, s since the strike; null for an end at rest.
+   * @throws CaromError for a time that is not above 0, or not finite.
+   */
+  withUntil(until: number | null): Shot;
+  /**
+   * @throws CaromError if the cap of events is reached; `Engine.traceToCap` gives the trace so far. If no
+   * friction stops a ball between the rails, its place is `until`.
+   */
   simulate(): Trace;
   /**
    * The strike turned so that `ball` falls into `pocket`; speed, spin and elevation stay. If the shot pots
@@ -442,8 +462,9 @@ export interface Shot {
 
 /** A simulated shot with all its events; immutable. */
 export interface Trace {
-  /** From the strike to the last event, s. */
+  /** From the strike to the end, s: to the last event, or to `until` if a ball still moves then. */
   readonly duration: number;
+  readonly end: TraceEnd;
   /** Sixteen hexadecimal digits over the exact bits of all events and final states. */
   readonly hash: string;
   /** The simulated shot; it stays valid when the trace is freed. */

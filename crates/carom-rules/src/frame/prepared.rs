@@ -75,13 +75,18 @@ impl<'a> Prepared<'a> {
     /// the same place of the cue ball.
     ///
     /// # Errors
-    /// As [`Self::new`], and [`Error::Input`] if `shot` has another number of balls.
+    /// As [`Self::new`], and [`Error::Input`] if `shot` has another number of balls, or an end time.
     pub fn with_shot(
         frame: &'a Frame,
         cue_ball: Option<[f64; 2]>,
         shot: &'a Shot,
     ) -> Result<Self, Error> {
         let turn = *frame.asked_turn()?;
+        if shot.until().is_some() {
+            let what =
+                "the shot has an end time, but the rules judge it when all balls are at rest";
+            return Err(Error::input("until", what, "leave it out"));
+        }
         let before = frame.layout_with(&turn, cue_ball)?;
         let balls: BallList = before.on_table().collect();
         if balls.len() != shot.balls().len() {

@@ -13,12 +13,13 @@ use super::read::At;
 use super::{angle, balls, cling, physics, strike, table};
 use crate::error::Error;
 use crate::resolve::cue_ball::Strike;
-use crate::shot::{Cling, DEFAULT_MAX_EVENTS, Parts, Shot, StrikePolicy, checked_balls};
+use crate::shot::{Cling, DEFAULT_MAX_EVENTS, Parts, Shot, StrikePolicy, UNTIL, checked_balls};
 
 /// The value of `format` in a shot file.
 pub const SHOT_FORMAT: &str = "carom-shot/1";
 
-const KEYS: &[&str] = &["format", "table", "physics", "balls", "strike", "cling", "max_events"];
+const KEYS: &[&str] =
+    &["format", "table", "physics", "balls", "strike", "cling", "until", "max_events"];
 
 /// A shot with the file that it was read from. The file is written back unchanged, except that an
 /// omitted elevation is written.
@@ -147,6 +148,21 @@ impl ShotFile {
         Self { shot, source: Some(node.into()) }
     }
 
+    /// The same file with another end time, s since the strike; `None` for an end at rest.
+    ///
+    /// # Errors
+    /// As [`Shot::with_until`].
+    pub fn with_until(&self, until: Option<f64>) -> Result<Self, Error> {
+        let shot = self.shot.with_until(until)?;
+        let Some(source) = &self.source else { return Ok(shot.into()) };
+        let mut node = Node::clone(source);
+        match until {
+            Some(time) => node.set("until", time),
+            None => node.remove("until"),
+        }
+        Ok(Self { shot, source: Some(node.into()) })
+    }
+
     /// The same file with other values at the given paths; later values replace earlier ones. A
     /// missing key is added, and a preset's name becomes the base of an object. An omitted elevation
     /// is the default of the new file.
@@ -232,6 +248,9 @@ impl Shot {
         if !self.cling().is_empty() {
             file.set("cling", cling::write(self.cling()));
         }
+        if let Some(until) = self.until {
+            file.set("until", until);
+        }
         if self.max_events != DEFAULT_MAX_EVENTS {
             file.set("max_events", self.max_events);
         }
@@ -269,6 +288,7 @@ fn read(file: &Node) -> Result<Shot, Error> {
         struck = Some((read.ball, read.strike));
         has_default_elevation = !read.has_elevation;
     }
+    let until = fields.get("until").map(|at| at.number(&UNTIL)).transpose()?;
     let max_events = match fields.get("max_events") {
         Some(at) => at.whole(1, u32::MAX)?,
         None => DEFAULT_MAX_EVENTS,
@@ -282,6 +302,7 @@ fn read(file: &Node) -> Result<Shot, Error> {
         strike,
         policy,
         max_events,
+        until,
         has_default_elevation,
         cling,
     })

@@ -16,7 +16,7 @@ use crate::math::Vec3;
 use crate::range::Range;
 use crate::shot::{PlacedBall, Shot};
 use crate::table::{Part, PocketName, Rail};
-use crate::trace::{Log, Trace};
+use crate::trace::{Log, Trace, TraceEnd};
 use crate::trace_event::{TraceEvent, TraceEventKind};
 use crate::{BallState, MotionState};
 
@@ -64,6 +64,7 @@ impl Trace {
             ("engine", self.engine().into()),
             ("shot", with_dated_names(&shot)),
             ("duration", self.duration().into()),
+            ("end", self.end().name().into()),
             ("events", Node::list(self.events().map(|e| write_event(&e, balls)))),
             ("final", Node::list(balls.iter().zip(self.last()).map(|(b, s)| write_ball(b, s)))),
             ("outcome", self.outcome().to_node(self.shot())),
@@ -115,7 +116,8 @@ impl Trace {
         }
         let at = fields.require("final", "a list of balls")?;
         let last = read_final(&at, &shot)?;
-        let trace = Self::assemble(shot, engine, duration, log, last);
+        let end = read_end(&fields, &shot, &last)?;
+        let trace = Self::assemble(shot, engine, (duration, end), log, last);
         check_hash(&fields, &trace)?;
         Ok((trace, file))
     }
@@ -130,6 +132,24 @@ fn check_hash(fields: &Fields<'_>, trace: &Trace) -> Result<(), Error> {
     }
     Err(at.refuse(
         format!("the events and final states hash to {ours}, not to \"{written}\""),
+        "the trace was changed after it was written: simulate its shot again",
+    ))
+}
+
+/// What ended the shot. Traces of earlier versions do not have it.
+fn read_end(fields: &Fields<'_>, shot: &Shot, last: &[BallState]) -> Result<TraceEnd, Error> {
+    let usual = TraceEnd::of(shot, last);
+    let Some(at) = fields.get("end") else { return Ok(usual) };
+    let end = at.choice("end", &TraceEnd::ALL.map(|end| (end.name(), end)))?;
+    if end == usual || end == TraceEnd::Cap {
+        return Ok(end);
+    }
+    Err(at.refuse(
+        format!(
+            "found \"{}\", but the shot and the final states say \"{}\"",
+            end.name(),
+            usual.name()
+        ),
         "the trace was changed after it was written: simulate its shot again",
     ))
 }

@@ -142,6 +142,20 @@ impl Path {
     }
 }
 
+/// Whether no friction stops a ball that moves on from `state` and meets nothing. A ball in the air
+/// comes down.
+pub fn never_rests(state: &BallState, ball: &Ball, cloth: &Cloth, gravity: f64) -> bool {
+    let mut path = Path::new(state, ball, cloth, gravity);
+    while path.motion != MotionState::Airborne && !path.motion.is_at_rest() {
+        if path.duration == f64::INFINITY {
+            return true;
+        }
+        let next = path.band_end(cloth).unwrap_or_else(|| path.successor());
+        path = Path::new(&next, ball, cloth, gravity);
+    }
+    false
+}
+
 /// Spin about the vertical after `t` seconds of constant deceleration (Leckie & Greenspan 2005).
 #[inline(always)]
 fn decayed(spin: f64, deceleration: f64, t: f64) -> f64 {

@@ -8,6 +8,7 @@ use super::track::{Origin, Tracks};
 use super::{Outcome, Touched, among};
 use crate::event::{Event, Recorder};
 use crate::math::Vec2;
+use crate::motion::never_rests;
 use crate::shot::Shot;
 use crate::simulate::CLOSING_TIME;
 use crate::table::{Capture, Part, PocketName, Rail, TOUCH_TOLERANCE};
@@ -93,9 +94,12 @@ impl OutcomeMemory {
     /// Completes the outcome; `last` are the final states of the balls of `shot` in the file's
     /// frame ([`Shot::to_file_frame`]).
     pub fn finish(&mut self, shot: &Shot, last: &[BallState]) {
-        let at_rest = |s: &BallState| s.motion == MotionState::Stationary || !s.motion.in_play();
-        let restless = (0u16..).zip(last).filter(|(_, s)| !at_rest(s)).map(|(i, _)| i);
-        self.outcome.never_resting.extend(restless);
+        let states = (0u16..).zip(shot.balls()).zip(last);
+        let restless = states.filter(|((_, placed), state)| {
+            let physics = shot.physics();
+            never_rests(state, &placed.ball, &physics.cloth, physics.gravity)
+        });
+        self.outcome.never_resting.extend(restless.map(|((i, _), _)| i));
         find_hanging(shot, last, &mut self.outcome.hanging);
     }
 

@@ -137,6 +137,7 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
         strike: Some((0, strike)),
         policy: StrikePolicy::default(),
         max_events: DEFAULT_MAX_EVENTS,
+        until: None,
         cling: Cling::NONE,
         has_default_elevation: true,
     })

@@ -24,12 +24,16 @@ use obstruction::CueLine;
 
 use crate::error::Error;
 use crate::math::{Vec3, degrees};
+use crate::range::{LARGEST, Range};
 use crate::resolve::cue_ball::{Strike, miscue_limit};
 use crate::{Ball, BallState, Physics, Table};
 
 /// Cap on the number of events if a file gives none. The longest breaks seen have less than a
 /// thousand.
 pub const DEFAULT_MAX_EVENTS: u32 = 100_000;
+
+/// End time of a shot, s.
+pub(crate) const UNTIL: Range = Range::above(0.0, LARGEST, " s");
 
 /// A ball placed on the table.
 #[derive(Debug, PartialEq)]
@@ -69,6 +73,7 @@ pub struct Shot {
     pub(crate) balls: Arc<[PlacedBall]>,
     pub(crate) strike: Option<(usize, Strike)>,
     pub(crate) max_events: u32,
+    pub(crate) until: Option<f64>,
     policy: StrikePolicy,
     /// Friction of the tip as given. `physics` has the friction that the strike is resolved with.
     tip_friction: f64,
@@ -81,13 +86,14 @@ pub struct Shot {
 /// angle was given makes no difference.
 impl PartialEq for Shot {
     fn eq(&self, other: &Self) -> bool {
-        let Self { table, physics, balls, strike, max_events, policy, tip_friction, cling, .. } =
-            self;
+        let Self { table, physics, balls, strike, max_events, until, .. } = self;
+        let Self { policy, tip_friction, cling, .. } = self;
         *table == other.table
             && *physics == other.physics
             && *balls == other.balls
             && *strike == other.strike
             && *max_events == other.max_events
+            && *until == other.until
             && *policy == other.policy
             && *tip_friction == other.tip_friction
             && *cling == other.cling
@@ -109,6 +115,7 @@ pub(crate) struct Parts {
     pub(crate) strike: Option<(usize, Strike)>,
     pub(crate) policy: StrikePolicy,
     pub(crate) max_events: u32,
+    pub(crate) until: Option<f64>,
     /// Whether the strike gets the default elevation; the elevation in `strike` is not used then.
     pub(crate) has_default_elevation: bool,
     pub(crate) cling: Cling,
@@ -121,7 +128,7 @@ impl Shot {
     /// # Errors
     /// As [`Self::with_balls`].
     pub(crate) fn new(parts: Parts) -> Result<Self, Error> {
-        let Parts { table, mut physics, balls, strike, policy, max_events, .. } = parts;
+        let Parts { table, mut physics, balls, strike, policy, max_events, until, .. } = parts;
         let (has_default_elevation, cling) = (parts.has_default_elevation, parts.cling);
         let tip_friction = physics.cue.tip_friction;
         physics.cue.tip_friction = policy.used_tip_friction(tip_friction);
@@ -132,6 +139,7 @@ impl Shot {
             balls,
             strike,
             max_events,
+            until,
             policy,
             tip_friction,
             has_default_elevation,
@@ -194,13 +202,14 @@ impl Shot {
     ) -> Result<Self, Error> {
         let balls = balls::checked(balls, &self.table)?.into_inner();
         let (table, physics) = (self.table.clone(), self.physics.clone());
-        let Self { max_events, policy, tip_friction, cling, .. } = *self;
+        let Self { max_events, until, policy, tip_friction, cling, .. } = *self;
         Self {
             table,
             physics,
             balls,
             strike,
             max_events,
+            until,
             policy,
             tip_friction,
             has_default_elevation,
@@ -221,7 +230,7 @@ impl Shot {
             _ => *balls = source.balls.iter().cloned().collect(),
         }
         self.strike = source.strike;
-        self.max_events = source.max_events;
+        (self.max_events, self.until) = (source.max_events, source.until);
         self.policy = source.policy;
         self.tip_friction = source.tip_friction;
         self.has_default_elevation = source.has_default_elevation;
@@ -249,6 +258,17 @@ impl Shot {
     #[must_use]
     pub fn with_max_events(&self, max_events: u32) -> Self {
         Self { max_events, ..self.clone() }
+    }
+
+    /// The same shot with another end time, s since the strike; `None` for an end at rest.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a time that a shot file could not have.
+    pub fn with_until(&self, until: Option<f64>) -> Result<Self, Error> {
+        if let Some(time) = until {
+            UNTIL.check(|| "until".into(), time)?;
+        }
+        Ok(Self { until, ..self.clone() })
     }
 
     /// The shot with its default elevation, if it has one, and if its strike can be played.
@@ -316,6 +336,11 @@ impl Shot {
     /// The cap on the number of events; reaching it is an error.
     pub const fn max_events(&self) -> u32 {
         self.max_events
+    }
+
+    /// The end time, s since the strike; `None` if the shot ends when all balls are at rest.
+    pub const fn until(&self) -> Option<f64> {
+        self.until
     }
 
     /// The index of the ball with this id.

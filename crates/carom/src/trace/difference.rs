@@ -8,7 +8,7 @@ use crate::BallState;
 
 impl Trace {
     /// The first place where `self` and `again` differ in any bit, in one sentence; `None` if all
-    /// events, the duration and all final states are equal.
+    /// events, the duration, the end and all final states are equal.
     pub fn first_difference(&self, again: &Self) -> Option<String> {
         for (i, (a, b)) in self.events().zip(again.events()).enumerate() {
             if let Some(difference) = in_event(&a, &b) {
@@ -21,6 +21,10 @@ impl Trace {
         }
         if self.duration.to_bits() != again.duration.to_bits() {
             return Some(format!("duration: {:?} against {:?}", self.duration, again.duration));
+        }
+        if self.end != again.end {
+            let (ours, theirs) = (self.end.name(), again.end.name());
+            return Some(format!("end: {ours} against {theirs}"));
         }
         in_states("final", &self.last, &again.last)
     }

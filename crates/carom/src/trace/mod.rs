@@ -26,12 +26,45 @@ pub use crate::trace_event::{TraceEvent, TraceEventKind};
 /// The name and version that this engine writes into its traces.
 pub const ENGINE: &str = concat!("carom ", env!("CARGO_PKG_VERSION"));
 
+/// What ended a recorded shot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum TraceEnd {
+    /// Nothing more can happen: every ball is at rest, or no friction stops it and it meets
+    /// nothing.
+    Rest,
+    /// The shot's end time ([`Shot::until`]), at which a ball still moves.
+    Until,
+    /// The cap on events ([`Shot::max_events`]). The trace is part of an error.
+    Cap,
+}
+
+impl TraceEnd {
+    /// Every end.
+    pub const ALL: [Self; 3] = [Self::Rest, Self::Until, Self::Cap];
+
+    /// The name used in traces.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Rest => "rest",
+            Self::Until => "until",
+            Self::Cap => "cap",
+        }
+    }
+
+    /// The end of a simulation of `shot` that did not reach its cap; `last` are the final states.
+    pub(crate) fn of(shot: &Shot, last: &[BallState]) -> Self {
+        let moves = last.iter().any(|state| !state.motion.is_at_rest());
+        if moves && shot.until.is_some() { Self::Until } else { Self::Rest }
+    }
+}
+
 /// A recorded shot.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Trace {
     shot: Shot,
     engine: String,
     duration: f64,
+    end: TraceEnd,
     log: Log,
     last: Vec<BallState>,
     outcome: Outcome,
@@ -85,9 +118,20 @@ impl Trace {
         &self.engine
     }
 
-    /// Time from the strike to the last event, s.
+    /// Time from the strike to the end, s: to the last event, or to the shot's end time if a ball
+    /// still moves then.
     pub const fn duration(&self) -> f64 {
         self.duration
+    }
+
+    /// What ended the shot.
+    pub const fn end(&self) -> TraceEnd {
+        self.end
+    }
+
+    /// The last time that the trace describes, s: infinite after an end at rest.
+    fn horizon(&self) -> f64 {
+        if self.end == TraceEnd::Rest { f64::INFINITY } else { self.duration }
     }
 
     /// The events, in order.
@@ -107,8 +151,8 @@ impl Trace {
 
     /// All balls' states at `time` (s), in the file's frame, exact to rounding: each is computed
     /// from the closed-form path since the ball's last event. At the instant of an event it is the
-    /// state after the event. After the end it is the final state; a ball that never rests moves
-    /// on.
+    /// state after the event. After the end it is the final state; but after an end at rest a ball
+    /// that no friction stops moves on.
     ///
     /// # Errors
     /// [`Error::Input`] if `time` is negative or not finite.
@@ -126,6 +170,9 @@ impl Trace {
             for (&ball, after) in event.balls.iter().zip(event.after) {
                 states[usize::from(ball)] = (event.time, *after);
             }
+        }
+        if time >= self.horizon() {
+            return Ok(self.last.clone());
         }
         let physics = &*self.shot.physics;
         let on = |((since, state), placed): (&(f64, BallState), &crate::shot::PlacedBall)| {

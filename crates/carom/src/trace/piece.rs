@@ -11,8 +11,8 @@ use crate::motion::Path;
 pub struct Piece {
     /// Start of the motion, s since the strike.
     pub start: f64,
-    /// End, s since the strike: the ball's next event or the end of its motion; infinite if it
-    /// never ends.
+    /// End, s since the strike: the ball's next event, the end of its motion, or the end of a trace
+    /// that is cut off; infinite if it never ends.
     pub end: f64,
     /// The ball's state at the start.
     pub state: BallState,
@@ -38,6 +38,9 @@ impl Trace {
                 last.end = event.time;
             }
             pieces.push(piece(event.time, event.after[k]));
+        }
+        if let Some(last) = pieces.last_mut() {
+            last.end = last.end.min(self.horizon());
         }
         pieces
     }

@@ -3,7 +3,7 @@
 use alloc::string::String;
 use alloc::vec::Vec;
 
-use super::{ENGINE, Log, Trace, TraceEventKind};
+use super::{ENGINE, Log, Trace, TraceEnd, TraceEventKind};
 use crate::BallState;
 use crate::event::{Event, Recorder};
 use crate::outcome::Collector;
@@ -32,11 +32,22 @@ impl<'a> TraceRecorder<'a> {
     }
 
     /// The trace, once `last` are the balls' final states in the engine's frame and `duration`
-    /// (s) is the time of the last event.
+    /// (s) is the time for which they hold.
     pub fn finish(self, last: &[BallState], duration: f64) -> Trace {
+        let end = TraceEnd::of(self.shot, last);
+        self.finish_with(last, duration, end)
+    }
+
+    /// As [`Self::finish`], for a simulation that ended at its cap on events.
+    pub fn finish_at_cap(self, last: &[BallState], duration: f64) -> Trace {
+        self.finish_with(last, duration, TraceEnd::Cap)
+    }
+
+    fn finish_with(self, last: &[BallState], duration: f64, end: TraceEnd) -> Trace {
         let to_file = |(i, s): (usize, &BallState)| self.shot.to_file_frame(i, s);
         let last = last.iter().enumerate().map(to_file).collect();
-        Trace::assemble(self.shot.clone(), String::from(ENGINE), duration, self.log, last)
+        let engine = String::from(ENGINE);
+        Trace::assemble(self.shot.clone(), engine, (duration, end), self.log, last)
     }
 }
 
@@ -44,14 +55,14 @@ impl Trace {
     pub(crate) fn assemble(
         shot: Shot,
         engine: String,
-        duration: f64,
+        (duration, end): (f64, TraceEnd),
         log: Log,
         last: Vec<BallState>,
     ) -> Self {
         let mut collector = Collector::new(&shot);
         log.entries.iter().for_each(|entry| collector.add(&log.get(entry)));
         let outcome = collector.finish(&last);
-        Self { shot, engine, duration, log, last, outcome }
+        Self { shot, engine, duration, end, log, last, outcome }
     }
 }
 

@@ -37,7 +37,7 @@ fn plays(text: &str) {
     let trace = match trace {
         Ok(trace) => trace,
         // No friction slows the balls: the shot ends at the cap on events.
-        Err(Error::TooManyEvents { .. }) => return,
+        Err(Error::TooManyEvents(_)) => return,
         Err(e) => panic!("{text}: {e}"),
     };
     assert!(trace.duration().is_finite(), "{text}");

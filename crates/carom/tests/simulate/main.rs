@@ -2,6 +2,7 @@
 #![cfg(feature = "json")]
 
 mod cling;
+mod end_time;
 mod goldens;
 mod hard_cases;
 mod many_balls;

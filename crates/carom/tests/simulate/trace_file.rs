@@ -174,8 +174,9 @@ fn the_cap_on_events_carries_the_shot() {
     node.set("max_events", 10u32);
     let capped = Shot::from_node(&node).unwrap_or_else(|e| panic!("{e}"));
     match capped.simulate() {
-        Err(Error::TooManyEvents { cap: 10, shot }) => {
-            assert_eq!(Shot::from_json(&shot).unwrap_or_else(|e| panic!("{e}")), capped);
+        Err(Error::TooManyEvents(error)) => {
+            assert_eq!(error.cap, 10);
+            assert_eq!(Shot::from_json(&error.shot).unwrap_or_else(|e| panic!("{e}")), capped);
         }
         other => panic!("expected the cap, got {other:?}"),
     }
@@ -191,8 +192,9 @@ fn the_cap_on_events_carries_the_strike_that_was_played_on_a_shot_without_one() 
     let without =
         capped.with_balls(capped.balls().to_vec(), None).unwrap_or_else(|e| panic!("{e}"));
     match Simulator::new().play_strike(&without, strike, &mut NullRecorder) {
-        Err(Error::TooManyEvents { cap: 10, shot }) => {
-            assert_eq!(Shot::from_json(&shot).unwrap_or_else(|e| panic!("{e}")), capped);
+        Err(Error::TooManyEvents(error)) => {
+            assert_eq!(error.cap, 10);
+            assert_eq!(Shot::from_json(&error.shot).unwrap_or_else(|e| panic!("{e}")), capped);
         }
         other => panic!("expected the cap, got {other:?}"),
     }

@@ -212,16 +212,30 @@ fn balls_off_the_table_are_listed_in_the_order_in_which_they_left_it() {
 }
 
 #[test]
-fn only_balls_that_still_move_at_the_end_are_listed_as_never_resting() {
-    let with = |motion| BallState { motion, ..BallState::default() };
+fn only_moving_balls_that_no_friction_stops_are_listed_as_never_resting() {
+    let with = |motion, velocity: f64, spin: f64| BallState {
+        motion,
+        velocity: Vec3::new(velocity, 0.0, 0.0),
+        angular_velocity: Vec3::new(0.0, velocity / RADIUS, spin),
+        ..BallState::default()
+    };
     let last = [
-        with(MotionState::Stationary),
-        with(MotionState::Rolling),
-        with(MotionState::Pocketed),
-        with(MotionState::Spinning),
-        with(MotionState::OffTable),
+        with(MotionState::Stationary, 0.0, 0.0),
+        with(MotionState::Rolling, 1.0, 0.0),
+        with(MotionState::Pocketed, 0.0, 0.0),
+        with(MotionState::Spinning, 0.0, 2.0),
+        with(MotionState::OffTable, 0.0, 0.0),
+        with(MotionState::Airborne, 1.0, 2.0),
     ];
-    assert_eq!(Collector::new(&row(None)).finish(&last).never_resting, [1, 3]);
+    let never_resting = |cloth: &str| {
+        let table = format!(r#""wpa-9ft", "physics": {{"cloth": {{{cloth}}}}}"#);
+        let balls: Vec<[f64; 2]> = (0..6).map(|i| [0.635, 0.4 + 0.2 * f64::from(i)]).collect();
+        Collector::new(&placed(&table, None, &balls)).finish(&last).never_resting
+    };
+    assert_eq!(never_resting(r#""rolling_friction": 0, "spin_deceleration": 0"#), [1, 3]);
+    assert_eq!(never_resting(r#""rolling_friction": 0"#), [1]);
+    assert_eq!(never_resting(r#""spin_deceleration": 0"#), [3]);
+    assert!(never_resting(r#""sliding_friction": 0.2"#).is_empty());
 }
 
 /// The outcome for a ball at the distance `gap` (m) from the left rail of a plain table, 0 if it is

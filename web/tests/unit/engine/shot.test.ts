@@ -7,6 +7,7 @@ import {
   type RollingBand,
   type Shot,
   type ShotFile,
+  type TraceFile,
 } from "../../../src/engine/index.js";
 import { GOLDENS, shotFile } from "./files.js";
 
@@ -48,6 +49,31 @@ describe("a refusal names the place and the remedy", () => {
     const error = refusal(() => engine.shot(file).simulate());
     expect(error.message).toMatch(/^max_events: the shot was stopped at its cap of 10 events/);
     expect(JSON.parse(error.shot!)).toEqual(file);
+    expect(error.place).toBe("");
+    const trace = engine.traceToCap(error);
+    expect([trace.events.length, trace.end, trace.outcome.events]).toEqual([10, "cap", 10]);
+    expect(engine.trace(trace.json()).hash).toBe(trace.hash);
+    expect(refusal(() => engine.traceToCap(new CaromError("no"))).message).toMatch(/simulate/);
+  });
+
+  // Seen: "raise the cap, or report", and nothing of what was computed, for motion without an end.
+  test("motion that no friction stops asks for an end time", () => {
+    const cloth = { sliding_friction: 0, rolling_friction: 0, spin_deceleration: 0 };
+    const file: ShotFile = {
+      format: "carom-shot/1",
+      table: { length: 2, width: 1, pockets: "none" },
+      physics: { base: "ideal", cloth },
+      balls: [{ id: "cue", position: [0.5, 0.5], velocity: [1, 0.4, 0] }],
+      max_events: 50,
+    };
+    const error = refusal(() => engine.shot(file).simulate());
+    expect(error.place).toBe("until");
+    expect(error.message).toMatch(/^until: no friction stops ball "cue".*write the time/);
+    expect(engine.traceToCap(error).events).toHaveLength(50);
+    const trace = engine.shot({ ...file, until: 4.5 }).simulate();
+    expect([trace.end, trace.duration]).toEqual(["until", 4.5]);
+    expect(trace.statesAt(9)).toEqual(trace.statesAt(4.5));
+    expect([...trace.polyline(0, 1e-3)].at(-1)).toBe(4.5);
   });
 
   test("for unknown games and tables, and for invalid seeds", () => {
@@ -70,6 +96,23 @@ test("a shot has the values that its file leaves to the physics", () => {
   expect(shot.miscueLimit).toBeGreaterThan(0.4);
   expect(shot.miscueLimit).toBeLessThan(0.6);
   expect(engine.shot(shot.json()).json()).toBe(shot.json());
+});
+
+test("a shot may have an end time", () => {
+  const shot = engine.shot(shotFile("half_ball_cut"));
+  expect([shot.until, shot.simulate().end]).toEqual([null, "rest"]);
+  const cut = shot.withUntil(0.75);
+  expect([cut.until, cut.file.until, cut.withStrike(shot.strike!).until]).toEqual([
+    0.75, 0.75, 0.75,
+  ]);
+  expect(cut.simulate().duration).toBe(0.75);
+  const { final } = JSON.parse(cut.simulate().json()) as TraceFile;
+  const { final_position } = engine.simulate([cut]);
+  expect([...final_position]).toEqual(final.flatMap(({ position }) => [...position]));
+  expect(cut.withUntil(null).json()).toBe(shot.json());
+  for (const until of [0, -1, NaN, Infinity]) {
+    expect(refusal(() => shot.withUntil(until)).place).toBe("until");
+  }
 });
 
 test("a shot without a strike has no variants", () => {
