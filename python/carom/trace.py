@@ -124,7 +124,11 @@ class Trace:
 
     @cached_property
     def events(self) -> list[Record]:
-        """The events in order, each as ``carom-trace/1`` has it."""
+        """The events in order, each as ``carom-trace/1`` has it.
+
+        Impacts have ``impulses``, the change of each ball's momentum, N s, shape (n_balls, 3), and
+        ``points``, the points of contact, m, shape (n_points, 3).
+        """
         return [Record(event) for event in self._dict["events"]]
 
     @cached_property
@@ -174,6 +178,32 @@ class Trace:
             at = float(times)
             return Snapshot(at, position[0], velocity[0], spin[0], orientation[0], motions[0])
         return Snapshot(times, position, velocity, spin, orientation, motions)
+
+    def polyline(self, ball: str | int, tolerance: float) -> NDArray[np.float64]:
+        """The path of a ball's centre: x, y, z (m), t (s) per point, shape (n_points, 4).
+
+        The points lie on the exact path, one at each event of the ball; no chord is further than
+        the tolerance from the path. It is the same as JavaScript's ``Trace.polyline``.
+
+        Args:
+            ball: The ball's id, or its index in ``shot.ids``.
+            tolerance: Largest distance of the path from the polyline, m, > 0.
+
+        Raises:
+            InputError: There is no such ball, or the tolerance is not above 0.
+        """
+        ids = self.shot.ids
+        if isinstance(ball, str):
+            if ball not in ids:
+                known = ", ".join(map(repr, ids))
+                raise InputError(f"ball: there is no ball {ball!r}; write one of {known}")
+            index = ids.index(ball)
+        else:
+            index = arguments.whole("ball", ball, len(ids))
+        width = arguments.number("tolerance", tolerance)
+        if not width > 0.0:
+            raise InputError(f"tolerance: {width} m is out of range; write a number above 0")
+        return self._core.polyline(index, width)
 
     def difference(self, again: Trace) -> str | None:
         """The first difference in any bit of any event or final state; None if there is none.

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 import pickle
@@ -34,9 +35,12 @@ def test_a_trace_has_the_documented_keys(pot: dict[str, Any]) -> None:
     assert int(trace["hash"], 16) >= 0
     kinds = {event["type"] for event in trace["events"]}
     assert {"cue-strike", "ball-collision", "rail-collision", "motion-transition"} <= kinds
+    impact = {"impulses", "points"}
     extra = {
-        "cue-strike": {"tip_contacts", "pushed"},
-        "rail-collision": {"rail", "part"},
+        "cue-strike": {"tip_contacts", "pushed"} | impact,
+        "ball-collision": impact,
+        "slate-collision": impact,
+        "rail-collision": {"rail", "part"} | impact,
         "pocket-collision": {"pocket"},
         "motion-transition": {"from", "to"},
     }
@@ -49,6 +53,52 @@ def test_a_trace_has_the_documented_keys(pot: dict[str, Any]) -> None:
             for ball in event[side]:
                 assert ball.keys() == {"id", "position", "velocity", "angular_velocity", "motion"}
     assert [ball["id"] for ball in trace["final"]] == ["cue", "1"]
+
+
+def test_the_impulse_of_an_impact_is_the_change_of_momentum_at_its_point(
+    pot: dict[str, Any],
+) -> None:
+    shot = Shot.from_dict(pot)
+    trace = shot.simulate()
+    mass, radius = dict(zip(shot.ids, shot.mass, strict=True)), shot.radius[0]
+    impacts = [event for event in trace.events if "impulses" in event]
+    assert {event.type for event in impacts} >= {"cue-strike", "ball-collision", "rail-collision"}
+    for event in impacts:
+        for ball, before, after, impulse in zip(
+            event.balls, event.before, event.after, event.impulses, strict=True
+        ):
+            change = np.subtract(after["velocity"], before["velocity"])
+            np.testing.assert_allclose(impulse, mass[ball] * change, rtol=0, atol=1e-15)
+        place = event.before[0]["position"]
+        assert abs(np.linalg.norm(np.subtract(event.points[0], place)) - radius) < 1e-9
+
+
+def test_a_polyline_lies_on_the_path_of_a_ball(pot: dict[str, Any]) -> None:
+    trace = Shot.from_dict(pot).simulate()
+    line = trace.polyline("cue", 1e-3)
+    np.testing.assert_array_equal(line, trace.polyline(0, 1e-3))
+    assert line.shape[1] == 4
+    np.testing.assert_allclose(line[:, :3], trace.at(line[:, 3]).position[:, 0], atol=1e-12)
+    times = [event.time for event in trace.events if "cue" in event.balls]
+    assert set(times) <= set(line[:, 3])
+    assert len(trace.polyline("cue", 1e-6)) > len(line)
+    # No chord is further than the tolerance from the path.
+    for (x, y, _, t), (u, v, _, end) in itertools.pairwise(line):
+        if end == t:
+            continue
+        middle = trace.at(0.5 * (t + end)).position[0, :2]
+        across = (middle[0] - x) * (v - y) - (middle[1] - y) * (u - x)
+        assert abs(across) <= 1e-3 * math.hypot(u - x, v - y) + 1e-12
+    for ball, tolerance, place in (
+        ("2", 1e-3, "ball"),
+        (2, 1e-3, "ball"),
+        (-1, 1e-3, "ball"),
+        (0.5, 1e-3, "ball"),
+        ("cue", 0.0, "tolerance"),
+        ("cue", float("nan"), "tolerance"),
+    ):
+        with pytest.raises(InputError, match=rf"^{place}: "):
+            trace.polyline(ball, tolerance)  # type: ignore[arg-type]
 
 
 def strike_at(*balls: tuple[float, float], speed: float = 2.0) -> Trace:

@@ -4,9 +4,9 @@ use std::sync::{Arc, OnceLock};
 
 use carom::format::Node;
 use carom::math::Vec3;
-use carom::trace::Orientations;
+use carom::trace::{Orientations, Waypoint};
 use carom::{BallState, Error, ShotFile};
-use numpy::{PyArray1, PyArray3, PyArrayMethods, PyReadonlyArray1};
+use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
@@ -110,6 +110,21 @@ impl Trace {
             PyArray1::from_vec(py, turned.into_flattened()).reshape([times.len(), balls, 4])?,
             states.iter().map(|s| s.motion.name()).collect(),
         ))
+    }
+
+    /// x, y, z (m), t (s) per point of the path of the ball with this index, (points, 4).
+    fn polyline<'py>(
+        &self,
+        py: Python<'py>,
+        ball: usize,
+        tolerance: f64,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let points = self.trace.polyline(ball, tolerance);
+        let numbers = |p: &Waypoint| {
+            let [x, y, z] = p.position.to_array();
+            [x, y, z, p.time]
+        };
+        PyArray1::from_vec(py, points.iter().flat_map(numbers).collect()).reshape([points.len(), 4])
     }
 
     /// The first difference of two traces, in one sentence; None if they are equal to the bit.

@@ -209,18 +209,34 @@ interface EventBase {
   readonly after: readonly BallState[];
 }
 
+/** What an impact has besides. A saved trace of an early engine does not have it. */
+interface ImpactBase {
+  /** The change of each ball's momentum, N s, in the order of `balls`. */
+  readonly impulses: readonly Vector[];
+  /**
+   * The points of contact, m: one of every two balls that touch; in a strike that of the tip comes
+   * first.
+   */
+  readonly points: readonly Vector[];
+}
+
 export type TraceEvent = EventBase &
   (
-    | {
+    | (ImpactBase & {
         /** Its balls are the cue ball and those that it moves at the same instant. */
         readonly type: "cue-strike";
         /** How often the tip meets the cue ball; a trace of an early engine does not have it. */
         readonly tip_contacts?: number;
         /** Whether the cue ball, with the tip on it, meets a ball that it did not touch before. */
         readonly pushed?: boolean;
-      }
-    | { readonly type: "ball-collision" | "slate-collision" | "off-table" }
-    | { readonly type: "rail-collision"; readonly rail: RailName; readonly part: CushionPart }
+      })
+    | (ImpactBase & { readonly type: "ball-collision" | "slate-collision" })
+    | (ImpactBase & {
+        readonly type: "rail-collision";
+        readonly rail: RailName;
+        readonly part: CushionPart;
+      })
+    | { readonly type: "off-table" }
     | { readonly type: "pocket-collision"; readonly pocket: PocketName }
     | { readonly type: "motion-transition"; readonly from: Motion; readonly to: Motion }
   );

@@ -29,12 +29,14 @@ export function impactsOf(trace: Trace): Impact[] {
   const [width, length] = trace.shot.geometry.size ?? [1, 1];
   const along = length >= width ? 1 : 0;
   const side = Math.max(width, length);
+  const masses = new Map(trace.shot.balls.map(({ id, mass }) => [id, mass]));
   return trace.events.flatMap((event) => {
     const kind = kindOf(event);
     if (kind === null) return [];
-    const strength = strengthOf(event, kind);
+    const strength = strengthOf(event, masses);
     if (strength < QUIETEST[kind]) return [];
-    const place = event.before[0]?.position[along] ?? side / 2;
+    const at = "points" in event ? event.points[0] : event.before[0]?.position;
+    const place = at?.[along] ?? side / 2;
     const pan = Math.min(1, Math.max(-1, (2 * place) / side - 1));
     return [{ kind, time: event.time, strength, pan }];
   });
@@ -57,12 +59,11 @@ function kindOf({ type }: TraceEvent): ImpactKind | null {
   }
 }
 
-function strengthOf(event: TraceEvent, kind: ImpactKind): number {
+function strengthOf(event: TraceEvent, masses: ReadonlyMap<string, number>): number {
   // A ball that falls keeps its velocity at the hole; it is heard by its speed.
-  if (kind === "pocket") return Math.max(0.5, Math.hypot(...event.before[0]!.velocity));
-  const changes = event.after.map(({ velocity: [x, y, z] }, k) => {
-    const before = event.before[k]!.velocity;
-    return Math.hypot(x - before[0], y - before[1], z - before[2]);
+  if (!("impulses" in event)) return Math.max(0.5, Math.hypot(...event.before[0]!.velocity));
+  const changes = event.impulses.map((impulse, k) => {
+    return Math.hypot(...impulse) / masses.get(event.balls[k]!)!;
   });
   return Math.max(0, ...changes);
 }

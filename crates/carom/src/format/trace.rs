@@ -65,7 +65,7 @@ impl Trace {
             ("shot", with_dated_names(&shot)),
             ("duration", self.duration().into()),
             ("end", self.end().name().into()),
-            ("events", Node::list(self.events().map(|e| write_event(&e, balls)))),
+            ("events", Node::list(self.events().map(|e| self.write_event(&e)))),
             ("final", Node::list(balls.iter().zip(self.last()).map(|(b, s)| write_ball(b, s)))),
             ("outcome", self.outcome().to_node(self.shot())),
             ("hash", format!("{:016x}", self.hash()).into()),
@@ -154,37 +154,44 @@ fn read_end(fields: &Fields<'_>, shot: &Shot, last: &[BallState]) -> Result<Trac
     ))
 }
 
-fn write_event(event: &TraceEvent<'_>, balls: &[PlacedBall]) -> Node {
-    let of = |i: &u16| &balls[usize::from(*i)];
-    let states = |states: &[BallState]| {
-        Node::list(event.balls.iter().zip(states).map(|(i, s)| write_ball(of(i), s)))
-    };
-    let mut node = Node::object([
-        ("time", event.time.into()),
-        ("type", event.kind.name().into()),
-        ("balls", Node::list(event.balls.iter().map(|i| &of(i).id))),
-    ]);
-    match event.kind {
-        TraceEventKind::RailCollision { rail, part } => {
-            node.set("rail", rail.name());
-            node.set("part", part.name());
+impl Trace {
+    fn write_event(&self, event: &TraceEvent<'_>) -> Node {
+        let of = |i: &u16| &self.shot().balls()[usize::from(*i)];
+        let states = |states: &[BallState]| {
+            Node::list(event.balls.iter().zip(states).map(|(i, s)| write_ball(of(i), s)))
+        };
+        let mut node = Node::object([
+            ("time", event.time.into()),
+            ("type", event.kind.name().into()),
+            ("balls", Node::list(event.balls.iter().map(|i| &of(i).id))),
+        ]);
+        match event.kind {
+            TraceEventKind::RailCollision { rail, part } => {
+                node.set("rail", rail.name());
+                node.set("part", part.name());
+            }
+            TraceEventKind::PocketCollision(pocket) => node.set("pocket", pocket.name()),
+            TraceEventKind::MotionTransition { from, to } => {
+                node.set("from", from.name());
+                node.set("to", to.name());
+            }
+            TraceEventKind::CueStrike { tip_contacts, pushed } => {
+                node.set("tip_contacts", u32::from(tip_contacts));
+                node.set("pushed", pushed);
+            }
+            TraceEventKind::BallCollision
+            | TraceEventKind::SlateCollision
+            | TraceEventKind::OffTable => {}
         }
-        TraceEventKind::PocketCollision(pocket) => node.set("pocket", pocket.name()),
-        TraceEventKind::MotionTransition { from, to } => {
-            node.set("from", from.name());
-            node.set("to", to.name());
+        if event.is_impact() {
+            let vectors = |list: Vec<Vec3>| Node::list(list.into_iter().map(Vec3::to_array));
+            node.set("impulses", vectors(self.impulses(event)));
+            node.set("points", vectors(self.contact_points(event)));
         }
-        TraceEventKind::CueStrike { tip_contacts, pushed } => {
-            node.set("tip_contacts", u32::from(tip_contacts));
-            node.set("pushed", pushed);
-        }
-        TraceEventKind::BallCollision
-        | TraceEventKind::SlateCollision
-        | TraceEventKind::OffTable => {}
+        node.set("before", states(event.before));
+        node.set("after", states(event.after));
+        node
     }
-    node.set("before", states(event.before));
-    node.set("after", states(event.after));
-    node
 }
 
 fn write_ball(placed: &PlacedBall, state: &BallState) -> Node {

@@ -167,7 +167,8 @@ struct Directions {
     launch: Vec3,
 }
 
-fn directions(cue: &Cue, ball: &Ball, strike: &Strike) -> Directions {
+/// **u**, **r** and **d** of a strike.
+fn axes(strike: &Strike) -> [Vec3; 3] {
     let (sin_azimuth, cos_azimuth) = sin_cos(strike.azimuth);
     let (sin_elevation, cos_elevation) = sin_cos(strike.elevation);
     let axis =
@@ -175,8 +176,24 @@ fn directions(cue: &Cue, ball: &Ball, strike: &Strike) -> Directions {
         Vec3::new(cos_azimuth * cos_elevation, sin_azimuth * cos_elevation, 0.0 - sin_elevation);
     let up = Vec3::new(cos_azimuth * sin_elevation, sin_azimuth * sin_elevation, cos_elevation);
     let right = Vec3::new(sin_azimuth, -cos_azimuth, 0.0);
+    [up, right, axis]
+}
+
+fn directions(cue: &Cue, ball: &Ball, strike: &Strike) -> Directions {
+    let [up, right, axis] = axes(strike);
     let (sin_squirt, cos_squirt) = sin_cos(squirt(cue, ball, strike.side));
     Directions { up, right, axis, launch: axis * cos_squirt - right * sin_squirt }
+}
+
+/// The point of the ball that the tip of `strike` meets, from the ball's centre, in radii.
+pub fn contact_arm(strike: &Strike) -> Vec3 {
+    arm(strike, axes(strike))
+}
+
+fn arm(strike: &Strike, [up, right, axis]: [Vec3; 3]) -> Vec3 {
+    let offset = strike.offset();
+    let depth = sqrt((1.0 - offset * offset).max(0.0));
+    right * strike.side + up * strike.height - axis * depth
 }
 
 /// The tip of the cue on the ball with the index `index` in a network. `contact_time` is that of
@@ -195,8 +212,7 @@ pub fn tip_touch(
     let restitution =
         tip_restitution(cue, ball, offset).ok_or(StrikeError::Unreachable { offset })?;
     let Directions { up, right, axis, launch } = directions(cue, ball, strike);
-    let depth = sqrt((1.0 - offset * offset).max(0.0));
-    let arm = right * strike.side + up * strike.height - axis * depth;
+    let arm = arm(strike, [up, right, axis]);
     Ok(TipTouch {
         ball: index,
         cue_mass: cue.mass,

@@ -2,6 +2,7 @@
 
 mod difference;
 mod hash;
+mod impact;
 mod orientation;
 mod piece;
 mod polyline;

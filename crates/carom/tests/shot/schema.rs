@@ -102,7 +102,7 @@ fn the_trace_schema_lists_what_a_trace_writes() {
     let schema = parsed(schema::TRACE);
     let text = r#"{"format": "carom-shot/1", "table": "wpa-9ft",
         "balls": [{"id": "cue", "position": [0.635, 0.4]}],
-        "strike": {"ball": "cue", "speed": 1, "azimuth_deg": 90}}"#;
+        "strike": {"ball": "cue", "speed": 3, "azimuth_deg": 90}}"#;
     let trace = Shot::from_json(text).and_then(|s| s.simulate()).unwrap_or_else(|e| panic!("{e}"));
     let node = trace.to_node();
     assert_eq!(keys(at(&schema, &["properties"])), keys(&node));
@@ -110,6 +110,15 @@ fn the_trace_schema_lists_what_a_trace_writes() {
     assert_eq!(keys(outcome), keys(at(&node, &["outcome"])));
     let event = at(&node, &["events", "0"]);
     assert_eq!(keys(at(&schema, &["$defs", "cue_strike", "properties"])), keys(event));
+    assert_eq!(event.get("type"), Some(&"cue-strike".into()));
+    for (kind, def) in
+        [("rail-collision", "rail_collision"), ("motion-transition", "motion_transition")]
+    {
+        let Some(Node::List(events)) = node.get("events") else { panic!("no events") };
+        let event = events.iter().find(|event| event.get("type") == Some(&kind.into()));
+        let written = keys(event.unwrap_or_else(|| panic!("no {kind}")));
+        assert_eq!(keys(at(&schema, &["$defs", def, "properties"])), written, "{kind}");
+    }
     let ball = at(event, &["after", "0"]);
     assert_eq!(keys(at(&schema, &["$defs", "ball", "properties"])), keys(ball));
     let motions: Vec<&str> = carom::MotionState::ALL.iter().map(|m| m.name()).collect();

@@ -5,6 +5,7 @@ mod cling;
 mod end_time;
 mod goldens;
 mod hard_cases;
+mod impacts;
 mod many_balls;
 mod no_allocation;
 mod noise;

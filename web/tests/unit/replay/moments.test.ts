@@ -6,6 +6,8 @@ const at = (time: number): TraceEvent => ({
   time,
   type: "slate-collision",
   balls: ["cue"],
+  impulses: [],
+  points: [],
   before: [],
   after: [],
 });

@@ -31,6 +31,23 @@ test("a pot sounds as a tip, two balls and a pocket, in the order of time", () =
   expect(impacts.find(({ kind }) => kind === "pocket")!.pan).toBeGreaterThan(0.8);
 });
 
+test("an impact is as strong as the largest change of a ball's velocity", () => {
+  const trace = engine.breakShot("nine-ball", { seed: 2 }).simulate();
+  const events = trace.events.filter(({ type }) => type === "ball-collision");
+  const changes = events.map(({ before, after }) =>
+    Math.max(
+      ...after.map(({ velocity }, k) =>
+        Math.hypot(...velocity.map((v, axis) => v - before[k]!.velocity[axis]!)),
+      ),
+    ),
+  );
+  const strengths = impactsOf(trace).filter(({ kind }) => kind === "ball");
+  expect(strengths.length).toBeGreaterThan(5);
+  for (const { strength } of strengths) {
+    expect(changes.some((change) => Math.abs(change - strength) < 1e-9)).toBe(true);
+  }
+});
+
 test("a faster shot is louder, and nothing is louder than full", () => {
   const [soft, hard] = [heard(1), heard(5)];
   for (const kind of ["tip", "ball"] as const) {
