@@ -1,13 +1,13 @@
 //! Checks where each kind of event happens, and the motion of its balls afterwards.
 
 use carom::event::{Event, EventKind};
-use carom::math::Vec2;
+use carom::math::{Vec2, Vec3};
 use carom::shot::Shot;
 use carom::{BallState, MotionState};
 
 use crate::motion_states::SMOOTH;
 use crate::rolling;
-use crate::solid::Solid;
+use crate::solid::{NamedPiece, Solid};
 use crate::table_contact::{self, TableContact};
 
 /// Largest allowed distance of a ball from the part of the table that it touches in an event, or
@@ -24,6 +24,13 @@ const HANGS_BELOW: f64 = 1e-3;
 /// Largest distance beyond a lip, in radii, at which a slow ball may rest as on the slate: the
 /// engine's `LIP_OVERHANG`, rounded up.
 const LIP_OVERHANG: f64 = 1.000_001e-4;
+
+/// A jammed ball is at most this far from the parts between which it jams, m: its hops on an edge
+/// are up to 0.08 mm high.
+const JAM_GAP: f64 = 1e-4;
+
+/// Sine of the least angle between the directions in which two such parts push the ball.
+const JAM_TURN: f64 = 0.01;
 
 /// Distance after which a ball at the edge of a rail's top must be beyond it, m.
 const STEP: f64 = 1e-9;
@@ -166,8 +173,20 @@ impl EventCheck<'_> {
             && self.solid.beside_tops(s.position.xy()) <= TABLE_GAP;
         let rests = on_top && s.velocity.length() <= SMOOTH;
         let outside = self.beyond_border(s.position.xy());
-        (!rests && outside < -TABLE_GAP)
+        (!rests && outside < -TABLE_GAP && !self.is_jammed(&s, radius))
             .then(|| format!("ball {ball} is off the table {:e} m inside its border", -outside))
+    }
+
+    /// Whether a ball off the bed touches the table in two places that face different ways.
+    fn is_jammed(&self, s: &BallState, radius: f64) -> bool {
+        let pieces = || self.solid.rails.iter().chain([&self.solid.bed]);
+        let near = |part: &NamedPiece| {
+            let distance = part.piece.distance(s.position);
+            (distance.value <= radius + JAM_GAP).then_some(distance.away)
+        };
+        let touched: Vec<Vec3> = pieces().filter_map(near).collect();
+        let unlike = |a: &Vec3| touched.iter().any(|b| a.cross(*b).length() > JAM_TURN);
+        s.motion == MotionState::Airborne && touched.iter().any(unlike)
     }
 
     fn beyond_border(&self, p: Vec2) -> f64 {

@@ -14,6 +14,7 @@ mod candidates;
 mod cluster;
 mod edge;
 mod impact;
+mod jam;
 mod off_bed;
 mod persistent_contact;
 mod row;
@@ -34,6 +35,7 @@ use crate::shot::Shot;
 use crate::{Ball, BallState, MotionState, Physics};
 pub(crate) use ball_set::BallSet;
 pub(crate) use cluster::CLOSING_TIME;
+use jam::Jam;
 use step::StepContext;
 use support::Support;
 
@@ -130,6 +132,8 @@ pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
     last_contact: [f64; N],
     /// Whether each ball is off the bed: in flight, on a rail's top or in a hole.
     off_bed: [bool; N],
+    /// Each ball's recent contacts off the bed.
+    jam: [Jam; N],
     /// Time of the first contact of every pair that has one, s; symmetric.
     pair: [[f64; N]; N],
     /// The balls for which a ball's row of `pair` holds a time.
@@ -220,6 +224,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             earliest: [f64::INFINITY; N],
             last_contact: [f64::NEG_INFINITY; N],
             off_bed: [false; N],
+            jam: [Jam::NONE; N],
             wide: crate::math::has_wide_vectors(),
             pair: [[f64::INFINITY; N]; N],
             partners: [BallSet::EMPTY; N],
@@ -276,6 +281,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             self.set_path(i, Path::new(&state, &placed.ball, cloth, *gravity), 0.0);
             self.contact[i] = f64::INFINITY;
             self.last_contact[i] = f64::NEG_INFINITY;
+            self.jam[i] = Jam::NONE;
             self.partners[i] = BallSet::EMPTY;
         }
         self.lanes.valid_until[self.n..].fill(f64::NAN);

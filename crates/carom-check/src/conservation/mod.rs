@@ -21,9 +21,13 @@ use crate::solid::Solid;
 /// Allowed relative rounding error of sums over the balls of an event.
 const ROUNDING: f64 = 1e-12;
 
-/// Largest energy that a persistent contact may add, J: that of `MIN_SEPARATION_WITH_GAIN` in the
-/// engine's `simulate/persistent_contact.rs`.
+/// Largest energy that a persistent contact may add to balls of at most [`USUAL_MASS`], J: that of
+/// `MIN_SEPARATION_WITH_GAIN` in the engine's `simulate/persistent_contact.rs`.
 pub const PUSH_ENERGY: f64 = 2e-9;
+
+/// The energies of persistent contacts are those of balls of up to this mass, kg; those of heavier
+/// balls are larger in proportion.
+const USUAL_MASS: f64 = 0.3;
 
 /// The same if one of the balls is in the air, J: that of `MIN_SEPARATION` there.
 const PUSH_ENERGY_IN_AIR: f64 = 1.5e-7;
@@ -84,7 +88,9 @@ pub(crate) fn audit(scene: &Circumstances<'_>, event: &Event<'_>) -> Option<Stri
     }
     let flies = |s: &BallState| s.motion == MotionState::Airborne;
     let in_air = event.kind == EventKind::BallCollision && event.before.iter().any(flies);
-    let allowed = if in_air { PUSH_ENERGY_IN_AIR } else { PUSH_ENERGY };
+    let heaviest = balls.iter().fold(USUAL_MASS, |most, ball| ball.mass.max(most));
+    let pushed = if in_air { PUSH_ENERGY_IN_AIR } else { PUSH_ENERGY };
+    let allowed = pushed * (heaviest / USUAL_MASS);
     if after > before * (1.0 + ROUNDING) + allowed {
         return Some(format!("{:?} raises the energy by {given:e} J", event.kind));
     }

@@ -8,6 +8,7 @@ mod detected_network_faults;
 mod detected_rail_faults;
 mod detected_spin_faults;
 mod found_by_stress;
+mod jammed_balls;
 mod laws;
 mod long_pushes;
 mod misplaced;

@@ -2,6 +2,7 @@
 
 use super::Simulation;
 use super::edge::cushion_edge;
+use super::jam::Touched;
 use super::persistent_contact::{Encounter, MIN_SEPARATION, PUSH_PERIOD};
 use super::step::StepContext;
 use super::support::Support;
@@ -77,6 +78,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.emit(i, EventKind::RailCollision(part), [before, after], step);
         if !on_bed {
             self.pocket_if_trapped(i, &after, step);
+            self.stop_if_jammed(i, Touched::Cushion(part), &after, step);
         }
     }
 

@@ -3,6 +3,7 @@
 
 use super::Simulation;
 use super::edge::lip_edge;
+use super::jam::Touched;
 use super::step::StepContext;
 use super::support::{Support, on_plane};
 use crate::detect::ball_ball::ContactFinder;
@@ -127,6 +128,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
         self.emit(i, EventKind::SlateCollision, [before, after], step);
         self.pocket_if_trapped(i, &after, step);
+        self.stop_if_jammed(i, Touched::Lip(pocket), &after, step);
     }
 
     /// The centre of a ball in the hole of `pocket` comes down to the slate's surface, or to one
@@ -146,6 +148,21 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.begin_path(i, &state, step);
         self.find_candidates(&[i as u16], step.time, step.table);
         self.pocket_if_trapped(i, &state, step);
+    }
+
+    /// Takes ball `i`, in `state` after a contact off the bed with `touched`, out of play if it is
+    /// jammed.
+    pub(super) fn stop_if_jammed<R: Recorder>(
+        &mut self,
+        i: usize,
+        touched: Touched,
+        state: &BallState,
+        step: &mut StepContext<'_, R>,
+    ) {
+        let is_loose = self.path[i].motion == MotionState::Airborne;
+        if is_loose && self.jam[i].touch(touched, state.position, step.time) {
+            self.on_off_table(i, state, step);
+        }
     }
 
     /// Pockets a ball whose centre is below the slate's surface and whose energy cannot lift it
