@@ -1,7 +1,7 @@
 //! Frames that continue with the balls of a shot.
 
 use carom::Shot;
-use carom_rules::{Frame, Options, Request, Rules};
+use carom_rules::{Choice, Frame, Options, Request, Rules};
 
 fn shot(balls: &str) -> Shot {
     let text =
@@ -69,4 +69,44 @@ fn a_cap_of_events_stays_in_the_following_shots_and_racks() {
     let frame = Frame::new(Rules::NineBall, Options::default(), None, None, 1).expect("a rack");
     let capped = frame.with_max_events(7).with_seed(2).expect("a rack");
     assert_eq!((capped.base().max_events(), capped.options().patience), (7, 100));
+}
+
+fn on_carom_table(yellow: [f64; 2]) -> Frame {
+    let text = format!(
+        r#"{{"format": "carom-shot/1", "table": "carom-10ft", "balls": [
+            {{"id": "cue", "position": [0.7, 0.7]}}, {{"id": "yellow", "position": [{}, {}]}},
+            {{"id": "red", "position": [0.7, 2.13]}}]}}"#,
+        yellow[0], yellow[1]
+    );
+    let shot = Shot::from_json(&text).expect("a shot");
+    Frame::of_shot(Rules::ThreeCushion, Options::default(), &shot).expect("a frame")
+}
+
+/// Seen: a frame that began with the cue ball frozen to a ball asked for a shot. Right: the player may
+/// have the balls spotted (UMB 27), as after a shot that leaves them so.
+#[test]
+fn a_frame_of_a_shot_with_the_cue_ball_frozen_asks_whether_to_spot() {
+    let diameter = 2.0 * on_carom_table([0.3, 0.3]).base().physics().ball.radius;
+    let mut frozen = on_carom_table([0.7 + diameter, 0.7]);
+    let Request::Choice { player: 0, choices, .. } = *frozen.request() else {
+        panic!("{:?}", frozen.request())
+    };
+    assert_eq!(*choices, [Choice::PlayOn, Choice::SpotFrozen]);
+    let ruling = frozen.choose(Choice::SpotFrozen).expect("it is offered");
+    assert_eq!(ruling.spotted.len(), 2);
+    assert!(frozen.turn().is_some());
+    for apart in [[0.3, 0.3], [0.7 + diameter + 2e-4, 0.7]] {
+        assert!(on_carom_table(apart).turn().is_some(), "{apart:?}");
+    }
+}
+
+#[test]
+fn a_frame_resumed_at_places_with_the_cue_ball_frozen_asks_the_seat_that_shoots() {
+    let mut frame = on_carom_table([0.3, 0.3]);
+    let diameter = 2.0 * frame.base().physics().ball.radius;
+    let places = [Some([0.7, 0.7]), Some([0.7, 1.0]), Some([0.7, 1.0 + diameter])];
+    frame.resume_at(&places, 0).expect("three balls");
+    assert!(frame.turn().is_some(), "the white touches nothing");
+    frame.resume_at(&places, 1).expect("three balls");
+    assert!(matches!(frame.request(), Request::Choice { player: 1, .. }), "the yellow is frozen");
 }

@@ -128,10 +128,10 @@ impl GameRules for ThreeCushion {
         self.starting_shot(breaker)
     }
 
-    fn resume(&mut self, _: &FrameState, seat: Seat) -> Request {
+    fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {
         *self = Self::default();
         self.innings[seat] = 1;
-        Self::turn(seat, BallList::new())
+        Self::next(state, seat)
     }
 
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
