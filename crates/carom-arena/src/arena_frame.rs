@@ -13,13 +13,15 @@ use carom::error::InputError;
 use carom::noise::Perception;
 use carom::{Error, Noise};
 use carom_mind::{Answer, Decision, Situation};
-use carom_rules::{Choice, Frame, FrameSimulator, Play, Request, Rules, Seat, through_degrees};
+use carom_rules::{
+    Choice, ErrorDraw, Frame, FrameSimulator, Play, Request, Rules, Seat, execute, through_degrees,
+};
 
 use crate::clock::{Clock, ClockPeriod, ClockUnit, Cost};
-use crate::execution::{ErrorDraw, execute, perceive};
 use crate::moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
 use crate::secret::PairSeeds;
 use crate::settings::{Disclosure, Match, PlayerIndex};
+use crate::sight::perceive;
 
 /// Refused answers that each seat may give in a frame; one more loses it. A program that answers
 /// with a wrong key once in a while is not ended, and one that repeats itself does not hang.

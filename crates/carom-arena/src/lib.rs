@@ -47,7 +47,6 @@ mod arena_frame;
 mod built_in;
 mod clock;
 mod error;
-mod execution;
 mod ledger;
 mod moves;
 mod record;
@@ -56,6 +55,7 @@ mod score;
 mod secret;
 mod sequential;
 mod settings;
+mod sight;
 mod thinking_time;
 mod tournament;
 

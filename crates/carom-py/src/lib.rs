@@ -52,7 +52,7 @@ mod _core {
     #[pymodule_export]
     use crate::rules::{Frame, rule_sets};
     #[pymodule_export]
-    use crate::shot::Shot;
+    use crate::shot::{Shot, check_part};
     #[pymodule_export]
     use crate::sweep::{
         check_keys, dated_value, play_rows, points, quantiles, read_json, read_number, read_whole,

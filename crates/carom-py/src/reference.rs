@@ -53,14 +53,15 @@ pub(crate) fn break_shot(
     open(&opening).map(Shot::from).map_err(|e| to_exception(py, &e))
 }
 
-/// The JSON Schema of `shot` or `trace`, as JSON.
+/// The JSON Schema of `shot`, `trace` or `play`, as JSON.
 #[pyfunction]
-pub(crate) fn schema(kind: &str) -> PyResult<&'static str> {
+pub(crate) fn schema(kind: &str) -> PyResult<String> {
     match kind {
-        "shot" => Ok(carom::format::schema::SHOT),
-        "trace" => Ok(carom::format::schema::TRACE),
+        "shot" => Ok(carom::format::schema::SHOT.into()),
+        "trace" => Ok(carom::format::schema::TRACE.into()),
+        "play" => Ok(carom_rules::play_schema().to_json()),
         _ => Err(InputError::new_err(format!(
-            "there is no schema \"{kind}\"; write \"shot\" or \"trace\""
+            "there is no schema \"{kind}\"; write \"shot\", \"trace\" or \"play\""
         ))),
     }
 }

@@ -3,7 +3,7 @@
 use carom::Error;
 use carom::format::Node;
 use carom::shot::{Cling, StrikePolicy};
-use carom_rules::{Choice, Options, Play, Rules, Ruling};
+use carom_rules::{Choice, ErrorSeeds, Options, Play, Rules, Ruling};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
@@ -29,6 +29,22 @@ pub(crate) struct PlayArguments {
 type Strike = (f64, f64, f64, f64, f64);
 /// A ruling, the trace of the shot, and the strike and the cling of the play.
 type Played<'py> = (Bound<'py, PyAny>, Trace, Strike, Option<Bound<'py, PyAny>>);
+
+/// One seed for the frame, or one for each seat.
+#[derive(FromPyObject)]
+pub(crate) enum SeedArguments {
+    Frame(u64),
+    Seats([u64; 2]),
+}
+
+impl From<SeedArguments> for ErrorSeeds {
+    fn from(seeds: SeedArguments) -> Self {
+        match seeds {
+            SeedArguments::Frame(seed) => Self::Frame(seed),
+            SeedArguments::Seats(seeds) => Self::Seats(seeds),
+        }
+    }
+}
 
 fn optional(value: &Bound<'_, PyAny>) -> PyResult<Option<Node>> {
     if value.is_none() { Ok(None) } else { from_python(value).map(Some) }
@@ -62,10 +78,10 @@ impl Frame {
         &mut self,
         meant: &Play,
         noise: Option<NoiseOptions>,
-        seed: u64,
+        seeds: ErrorSeeds,
     ) -> Result<(Play, Ruling, carom::Trace), Error> {
         let play = match noise {
-            Some(noise) => self.0.draw_play(meant, &noise.noise(), seed)?,
+            Some(noise) => self.0.draw_play(meant, &noise.noise(), seeds)?,
             None => *meant,
         };
         let trace = self.0.shot(&play)?.simulate()?;
@@ -125,22 +141,43 @@ impl Frame {
         to_python(py, &self.0.to_node())
     }
 
+    /// Table and physics, as a shot file has them.
+    fn base<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.0.base().to_node())
+    }
+
+    /// The frame as text.
+    fn describe(&self) -> String {
+        self.0.describe()
+    }
+
+    /// The JSON Schema of an answer to the request.
+    fn answer_schema<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        to_python(py, &self.0.answer_schema())
+    }
+
+    /// Lower left and upper right corner of the box in which the cue ball may be placed, m.
+    #[getter]
+    fn hand_bounds(&self) -> Option<[[f64; 2]; 2]> {
+        self.0.hand_bounds()
+    }
+
     fn shot(&self, py: Python<'_>, play: PlayArguments) -> PyResult<Shot> {
         let play = self.play_of(py, play)?;
         self.0.shot(&play).map(Shot::from).map_err(|e| to_exception(py, &e))
     }
 
-    /// Plays a shot, with the errors of `noise` if there is one.
+    /// Plays a shot, with the errors of `noise` if there is one: of the frame's or the seats' `seeds`.
     fn play<'py>(
         &mut self,
         py: Python<'py>,
         play: PlayArguments,
         noise: Option<NoiseOptions>,
-        seed: u64,
+        seeds: SeedArguments,
     ) -> PyResult<Played<'py>> {
         let meant = self.play_of(py, play)?;
         let (play, ruling, trace) =
-            self.play_noisy(&meant, noise, seed).map_err(|e| to_exception(py, &e))?;
+            self.play_noisy(&meant, noise, seeds.into()).map_err(|e| to_exception(py, &e))?;
         let Play { strike: s, cling, .. } = play;
         let strike = (s.speed, s.azimuth, s.elevation, s.side, s.height);
         let cling = (!cling.is_empty()).then(|| to_python(py, &cling.to_node())).transpose()?;

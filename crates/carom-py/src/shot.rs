@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use carom::ShotFile;
+use carom::format::{check_balls, check_physics, check_table};
 use carom::resolve::cue_ball::Strike;
 use pyo3::prelude::*;
 
@@ -28,6 +29,18 @@ pub(crate) fn strike_or_default(
 /// A validated shot; immutable, shared, never copied.
 #[pyclass(frozen, module = "carom._core")]
 pub(crate) struct Shot(pub(crate) Arc<ShotFile>);
+
+/// Checks one part of a shot file by itself: `table`, `physics` or `balls`.
+#[pyfunction]
+pub(crate) fn check_part(key: &str, value: &Bound<'_, PyAny>) -> PyResult<()> {
+    let node = from_python(value)?;
+    let checked = match key {
+        "table" => check_table(&node),
+        "physics" => check_physics(&node),
+        _ => check_balls(&node),
+    };
+    checked.map_err(|error| to_exception(value.py(), &error))
+}
 
 impl From<carom::Shot> for Shot {
     fn from(shot: carom::Shot) -> Self {
@@ -77,6 +90,17 @@ impl Shot {
 
     fn to_json(&self) -> String {
         self.0.to_json()
+    }
+
+    /// The name of the physics preset that belongs to the table.
+    #[getter]
+    fn physics_of_table(&self) -> String {
+        self.0.physics_of_table()
+    }
+
+    /// Whether both describe the same shot; their text may differ.
+    fn equals(&self, other: &Self) -> bool {
+        self.0 == other.0
     }
 
     fn geometry<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {

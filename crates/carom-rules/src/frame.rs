@@ -34,7 +34,7 @@ pub struct Frame {
     state: FrameState,
     request: Request,
     stalemates: StalemateCounter,
-    shots: u32,
+    shots: [u32; 2],
 }
 
 impl Clone for Frame {
@@ -105,7 +105,7 @@ impl Frame {
         let mut game_state = GameState::new(rules);
         let request = game_state.rules_mut().start(&mut state, 0);
         let stalemates = StalemateCounter::new(&state);
-        Ok(Self { rules, game_state, state, request, stalemates, shots: 0 })
+        Ok(Self { rules, game_state, state, request, stalemates, shots: [0; 2] })
     }
 
     /// The same frame, in which every shot has this cap on its number of events.
@@ -206,7 +206,18 @@ impl Frame {
 
     /// Number of shots played so far.
     pub const fn shots(&self) -> u32 {
+        self.shots[0] + self.shots[1]
+    }
+
+    /// Number of shots that each seat has played so far.
+    pub const fn shots_by_seat(&self) -> [u32; 2] {
         self.shots
+    }
+
+    /// The box around the region in which the cue ball may be placed, for the D around the half disk:
+    /// lower left and upper right corner (file frame, m). None unless the cue ball is in hand.
+    pub fn hand_bounds(&self) -> Option<[[f64; 2]; 2]> {
+        Some(self.turn()?.hand?.bounds(self.base().table()))
     }
 
     /// A shot on the frame's table with its physics; its balls are not those of the frame.
@@ -259,7 +270,7 @@ impl Frame {
             ));
         }
         let request = self.game_state.rules_mut().choose(&mut self.state, player, choice);
-        Ok(self.settle(request, 0))
+        Ok(self.settle(request, None))
     }
 
     /// The player whose turn it is concedes, and the other wins (WPA 1.11; WPBSA, section 2, rule
@@ -271,13 +282,16 @@ impl Frame {
         let player = self
             .player()
             .ok_or_else(|| Error::input("concede", "the frame is over", "begin a new frame"))?;
-        Ok(self.settle(Request::won(seat::opponent(player), "the other player conceded"), 0))
+        Ok(self.settle(Request::won(seat::opponent(player), "the other player conceded"), None))
     }
 
-    /// Completes a shot (`shots` is 1) or a choice (0): updates the scores and the request, and
+    /// Completes a shot of `shooter`, or a choice (none): updates the scores and the request, and
     /// ends a stalemate. Returns the ruling.
-    fn settle(&mut self, request: Request, shots: u32) -> Ruling {
-        self.shots += shots;
+    fn settle(&mut self, request: Request, shooter: Option<Seat>) -> Ruling {
+        if let Some(seat) = shooter {
+            self.shots[seat] += 1;
+        }
+        let shots = u32::from(shooter.is_some());
         self.request = request;
         for (score, points) in self.state.scores.iter_mut().zip(self.state.ruling.points) {
             *score += points;

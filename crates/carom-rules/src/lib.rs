@@ -26,9 +26,12 @@
 //! Each game is a file of [`games`]. [`Rules::rule`] gives the rule that forbids a foul; the
 //! documentation's page "Rules of the games" lists the rule books.
 //!
-//! Files import downwards only: seat, short_list, markings ← layout, region ← play, request, ruling, rules ←
-//! state, referee ← games ← frame ← report.
+//! Files import downwards only: seat, short_list, markings ← layout, region ← play, execution, request, ruling,
+//! rules ← state, referee ← games ← frame ← report ← answer, describe.
 
+mod answer;
+mod describe;
+mod execution;
 mod frame;
 pub mod games;
 mod layout;
@@ -46,6 +49,8 @@ mod seat;
 mod short_list;
 mod state;
 
+pub use answer::play_schema;
+pub use execution::{ErrorDraw, ErrorSeeds, execute};
 pub use frame::{Frame, FrameSimulator, Prepared, recorded_setup};
 pub use layout::{BallIndex, BallList, FrameBall, FrameLayout, MOST_BALLS};
 pub use play::{Call, Play, through_degrees};

@@ -41,6 +41,19 @@ impl Region {
         }
     }
 
+    /// The region's limits in numbers (file frame, m), after the words "put it" of an error message.
+    pub fn limits(self, table: &Table) -> String {
+        let [[left, bottom], [right, top]] = self.bounds(table);
+        match self {
+            Self::Anywhere => format!("within {left} < x < {right} and {bottom} < y < {top} (m)"),
+            Self::BehindHeadString => format!("where y < {} m", head_string(table)),
+            Self::TheD => {
+                let ([x, y], radius) = the_d(table);
+                format!("where y ≤ {y} m, at most {radius} m from [{x}, {y}]")
+            }
+        }
+    }
+
     /// The region's name in files and in Python.
     pub const fn name(self) -> &'static str {
         match self {

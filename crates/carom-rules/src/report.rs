@@ -103,11 +103,11 @@ impl Frame {
         }
     }
 
-    fn id(&self, ball: BallIndex) -> &str {
+    pub(crate) fn id(&self, ball: BallIndex) -> &str {
         &self.layout().balls()[usize::from(ball)].id
     }
 
-    fn ids(&self, balls: &[BallIndex]) -> Node {
+    pub(crate) fn ids(&self, balls: &[BallIndex]) -> Node {
         Node::list(balls.iter().map(|ball| self.id(*ball)))
     }
 
@@ -129,22 +129,13 @@ impl Frame {
     }
 
     fn turn_node(&self, turn: &Turn) -> Node {
-        let calls = &turn.calls;
-        let allowed = [
-            ("nothing", !calls.required && !calls.nominate),
-            ("pocket", calls.pocket),
-            ("safety", calls.safety),
-            ("push-out", calls.push_out),
-            ("on", calls.nominate),
-        ];
-        let allowed = allowed.into_iter().filter(|(_, may)| *may).map(|(name, _)| name);
         Node::object([
             ("kind", "shot".into()),
             ("player", (turn.player as i64).into()),
             ("cue_ball", self.id(turn.cue).into()),
             ("in_hand", turn.hand.map(|region| region.name()).into()),
             ("on", self.ids(&turn.on)),
-            ("calls", Node::list(allowed)),
+            ("calls", Node::list(turn.calls.names())),
         ])
     }
 }

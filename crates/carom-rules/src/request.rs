@@ -72,6 +72,18 @@ pub struct Calls {
 }
 
 impl Calls {
+    /// The kinds of call that are allowed, by name; `nothing` where a call may be left out.
+    pub fn names(&self) -> impl Iterator<Item = &'static str> {
+        let kinds = [
+            ("nothing", !self.required && !self.nominate),
+            ("pocket", self.pocket),
+            ("safety", self.safety),
+            ("push-out", self.push_out),
+            ("on", self.nominate),
+        ];
+        kinds.into_iter().filter(|(_, may)| *may).map(|(name, _)| name)
+    }
+
     /// Nothing is announced.
     pub(crate) const NONE: Self =
         Self { pocket: false, safety: false, required: false, push_out: false, nominate: false };
@@ -134,6 +146,24 @@ impl Choice {
             Self::Replace => "replace",
             Self::SpotFrozen => "spot-frozen",
             Self::SpotNearest => "spot-nearest",
+        }
+    }
+
+    /// The choice in words: what follows for the player who makes it.
+    pub const fn words(self) -> &'static str {
+        match self {
+            Self::PlayOn => "shoot with the balls as they lie",
+            Self::PlayFromHand => "shoot with the cue ball in hand behind the head string",
+            Self::PassBack => "let the other player shoot",
+            Self::Rebreak => "have the balls racked again, and break",
+            Self::RebreakByOther => "have the balls racked again, and let the other player break",
+            Self::SpotEight => "have the eight spotted, and shoot",
+            Self::Replace => "have the balls put back, and let the other player shoot again",
+            Self::SpotFrozen => "have the balls spotted that touch the cue ball, and shoot",
+            Self::SpotNearest => {
+                "have the legal ball nearest to the head string spotted, and shoot from behind the \
+                 head string"
+            }
         }
     }
 

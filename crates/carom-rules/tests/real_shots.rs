@@ -4,7 +4,7 @@ use carom::Noise;
 use carom::batch::draw_strikes;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{Policy, StrikePolicy};
-use carom_rules::{Call, Foul, Frame, Options, Play, Prepared, Rules, Ruling};
+use carom_rules::{Call, Choice, ErrorSeeds, Foul, Frame, Options, Play, Prepared, Rules, Ruling};
 
 /// Straight up the table.
 const UP: f64 = core::f64::consts::FRAC_PI_2;
@@ -63,16 +63,40 @@ fn a_drawn_play_has_the_strike_and_the_cling_of_the_variant_with_the_number_of_t
         let strike = Strike { speed: 2.0, azimuth: UP, elevation: 0.1, side: 0.0, height: 0.0 };
         let meant = Play::new(strike);
         let shot = frame.shot(&meant).expect("a shot");
-        let drawn = frame.draw_play(&meant, &noise, 7).expect("a play");
+        let drawn = frame.draw_play(&meant, &noise, ErrorSeeds::Frame(7)).expect("a play");
         assert_eq!(drawn.strike, draw_strikes(&shot, &noise, 1, 7, index).expect("one")[0]);
         assert_eq!(drawn.cling, noise.draw_cling(7, index));
         assert_eq!(*frame.shot(&drawn).expect("a shot").cling(), drawn.cling);
         // Without cling in the noise that of the play remains.
         let clinging = Play { cling: drawn.cling, ..meant };
-        let exact = frame.draw_play(&clinging, &Noise::NONE, 7).expect("a play");
+        let exact = frame.draw_play(&clinging, &Noise::NONE, ErrorSeeds::Frame(7)).expect("a play");
         assert_eq!(exact.cling, drawn.cling);
         frame.play(&drawn).expect("it can be played");
     }
+}
+
+/// As in a match: the errors of a seat do not depend on what the other one does.
+#[test]
+fn with_a_seed_for_each_seat_the_variant_has_the_number_of_the_seat_s_own_shots() {
+    let noise = Noise { azimuth: 0.001, ..Noise::NONE };
+    let mut frame = frame(Rules::ThreeCushion);
+    let meant =
+        Play::new(Strike { speed: 2.0, azimuth: UP, elevation: 0.1, side: 0.0, height: 0.0 });
+    let mut own = [0, 0];
+    for _ in 0..5 {
+        let seat = frame.player().expect("a shot");
+        let shot = frame.shot(&meant).expect("a shot");
+        let drawn = frame.draw_play(&meant, &noise, ErrorSeeds::Seats([3, 4])).expect("a play");
+        let seed = [3, 4][seat];
+        assert_eq!(drawn.strike, draw_strikes(&shot, &noise, 1, seed, own[seat]).expect("one")[0]);
+        own[seat] += 1;
+        frame.play(&drawn).expect("it can be played");
+        if frame.turn().is_none() {
+            frame.choose(Choice::PlayOn).expect("it is offered");
+        }
+        assert_eq!(frame.shots_by_seat().map(u64::from), own);
+    }
+    assert!(own[0] > 0 && own[1] > 0, "{own:?}");
 }
 
 /// The ruling on a stroke up the table, with the blue between the cue ball and a red.
@@ -106,6 +130,9 @@ fn from_contact(rules: Rules, ball: usize, others: &[(usize, [f64; 2])], azimuth
     places[ball] = Some([0.5, 1.0 + diameter]);
     others.iter().for_each(|(other, place)| places[*other] = Some(*place));
     frame.resume_at(&places, 0).expect("a valid position");
+    if frame.turn().is_none() {
+        frame.choose(Choice::PlayOn).expect("it is offered");
+    }
     let strike = Strike { speed: 2.0, azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
     frame.play(&Play::new(strike)).expect("it can be played").0
 }

@@ -131,3 +131,26 @@ fn a_ball_that_the_frame_does_not_have_is_not_on_the_table() {
     assert_eq!(frame.layout().place(255), None);
     assert!(frame.layout().is_down(255));
 }
+
+/// Seen: "[0.635, 1.6] is not behind the head string; put it there", without a number.
+#[test]
+fn the_refusal_of_a_place_of_the_cue_ball_has_the_limits_in_numbers() {
+    let sentence = |rules, place| {
+        let refused = frame(rules).play(&Play::new(STRIKE).from(place));
+        refused.expect_err("it is refused").to_string()
+    };
+    let pool = "cue_ball: [0.6, 2.0] is not behind the head string; put it where y < 0.635 m";
+    assert_eq!(sentence(Rules::NineBall, [0.6, 2.0]), pool);
+    let snooker = "cue_ball: [0.3, 0.7] is not in the D; put it where y ≤ 0.737 m, at most 0.292 m \
+                   from [0.889, 0.737]";
+    assert_eq!(sentence(Rules::Snooker, [0.3, 0.7]), snooker);
+}
+
+#[test]
+fn the_bounds_of_the_hand_are_those_of_its_region() {
+    assert_eq!(frame(Rules::NineBall).hand_bounds(), Some([[0.0, 0.0], [1.27, 0.635]]));
+    let [[left, bottom], [right, top]] = frame(Rules::Snooker).hand_bounds().expect("the D");
+    assert!((right - left - 2.0 * (top - bottom)).abs() < 1e-12, "a half disk");
+    assert_eq!(middle(Rules::NineBall, [1, 9]).hand_bounds(), None);
+    assert_eq!(choosing().hand_bounds(), None);
+}

@@ -4,7 +4,7 @@ use carom::format::Node;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{Cling, StrikePolicy};
 use carom::{Error, Noise};
-use carom_rules::{Choice, Options, Play, Rules};
+use carom_rules::{Choice, ErrorSeeds, Options, Play, Rules};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -135,11 +135,11 @@ impl Frame {
     fn play_checked(
         &mut self,
         arguments: &PlayArguments,
-        errors: Option<(Noise, u64)>,
+        errors: Option<(Noise, ErrorSeeds)>,
     ) -> Result<PlayResult, Error> {
         let meant = self.play_of(arguments)?;
         let play = match errors {
-            Some((noise, seed)) => self.0.draw_play(&meant, &noise, seed)?,
+            Some((noise, seeds)) => self.0.draw_play(&meant, &noise, seeds)?,
             None => meant,
         };
         let trace = self.0.shot(&play)?.simulate()?;
@@ -215,8 +215,18 @@ impl Frame {
     /// unless the cue ball is in hand.
     #[wasm_bindgen(js_name = handBounds)]
     pub fn hand_bounds(&self) -> Option<Vec<f64>> {
-        let region = self.0.turn()?.hand?;
-        Some(region.bounds(self.0.base().table()).as_flattened().to_vec())
+        Some(self.0.hand_bounds()?.as_flattened().to_vec())
+    }
+
+    /// The frame as text.
+    pub fn describe(&self) -> String {
+        self.0.describe()
+    }
+
+    /// The JSON Schema of an answer to the request, JSON.
+    #[wasm_bindgen(js_name = answerSchema)]
+    pub fn answer_schema(&self) -> String {
+        self.0.answer_schema().to_json()
     }
 
     /// The shot that [`Self::play`] would play.
@@ -230,15 +240,21 @@ impl Frame {
         self.play_checked(play, None).map_err(|e| to_exception(&e))
     }
 
-    /// Plays a shot as a player with this execution noise does, and rules on it.
+    /// Plays a shot as a player with this execution noise does, and rules on it. `seeds`: one of the
+    /// frame, or one of each seat.
     #[wasm_bindgen(js_name = playNoisy)]
     pub fn play_noisy(
         &mut self,
         play: &PlayArguments,
         noise: &[f64],
-        seed: u64,
+        seeds: &[u64],
     ) -> Result<PlayResult, JsValue> {
-        let errors = Some((noise_of(noise)?, seed));
+        let seeds = match *seeds {
+            [seed] => ErrorSeeds::Frame(seed),
+            [one, other] => ErrorSeeds::Seats([one, other]),
+            _ => return Err(js_sys::RangeError::new("seed: write one or two numbers").into()),
+        };
+        let errors = Some((noise_of(noise)?, seeds));
         self.play_checked(play, errors).map_err(|e| to_exception(&e))
     }
 

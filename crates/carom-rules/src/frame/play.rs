@@ -1,6 +1,5 @@
 //! Playing a shot: the play is checked, simulated and ruled on.
 
-use carom::batch::draw_strikes;
 use carom::event::NullRecorder;
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
@@ -8,6 +7,7 @@ use carom::shot::{Policy, StrikePolicy};
 use carom::{BallState, Error, Noise, Shot, Trace};
 
 use super::{Frame, FrameSimulator, Prepared};
+use crate::execution::{ErrorSeeds, execute};
 use crate::games::PlayedShot;
 use crate::layout::FrameLayout;
 use crate::play::{Call, Play, through_degrees};
@@ -26,18 +26,21 @@ impl Frame {
         Ok(self.prepared(play)?.into_shot())
     }
 
-    /// `play` as a player with the errors of `noise` executes it: with the strike and the contacts
-    /// that cling of a variant of this seed, whose number is that of the shots played so far. So
-    /// every shot of a frame has errors of its own. If `noise` has no cling, that of `play` remains.
+    /// `play` as a player with the errors of `noise` executes it ([`execute`]): with the strike and the
+    /// contacts that cling of the variant that `seeds` determine. So every shot of a frame has errors
+    /// of its own. If `noise` has no cling, that of `play` remains.
     ///
     /// # Errors
     /// As [`Self::shot`] for the intended play, and as [`Noise::check`]. The drawn play can be played
-    /// if the intended one can, except where [`carom::noise`] says otherwise.
-    pub fn draw_play(&self, play: &Play, noise: &Noise, seed: u64) -> Result<Play, Error> {
-        let index = u64::from(self.shots);
-        let strike = draw_strikes(&self.shot(play)?, noise, 1, seed, index)?[0];
+    /// if the intended one can, except where the cue would pass through a ball or a rail and the
+    /// policies refuse that.
+    pub fn draw_play(&self, play: &Play, noise: &Noise, seeds: ErrorSeeds) -> Result<Play, Error> {
+        noise.check()?;
+        let turn = self.asked_turn()?;
+        let draw = seeds.draw(turn.player, self.shots);
+        let (strike, cling) = execute(noise, &self.shot(play)?, draw)?;
         let has_cling = noise.cling_probability > 0.0;
-        let cling = if has_cling { noise.draw_cling(seed, index) } else { play.cling };
+        let cling = if has_cling { cling } else { play.cling };
         Ok(Play { strike, cling, ..*play })
     }
 
@@ -139,8 +142,9 @@ impl Frame {
             return wrong("the cue ball is in hand".into(), "give the place where it is put");
         };
         if !region.holds(self.state.base.table(), place) {
+            let table = self.state.base.table();
             let what = format!("[{:?}, {:?}] is not {}", place[0], place[1], region.words());
-            return wrong(what, "put it there");
+            return wrong(what, &format!("put it {}", region.limits(table)));
         }
         // A cue ball that is not moved may stay where it lies, even if it touches another ball.
         if put.is_some() && !self.state.layout.is_free(turn.cue, place) {
@@ -227,6 +231,6 @@ impl Frame {
     ) -> Ruling {
         let shot = PlayedShot { turn, call, outcome, travel, before };
         let request = self.game_state.rules_mut().judge(&mut self.state, &shot);
-        self.settle(request, 1)
+        self.settle(request, Some(turn.player))
     }
 }

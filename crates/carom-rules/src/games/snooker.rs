@@ -96,7 +96,7 @@ impl Snooker {
 
     /// The most points that the balls on the table can score without fouls: a black with every red,
     /// then the colours. A player who trails by more needs penalty points.
-    fn worth(&self, layout: &FrameLayout) -> i32 {
+    pub(crate) fn points_left(&self, layout: &FrameLayout) -> i32 {
         let reds = layout.left(REDS).len() as i32;
         let colors: i32 = layout.left(COLORS).iter().copied().map(value).sum();
         let black = if self.on == On::Color { value(BLACK) } else { 0 };
@@ -140,13 +140,13 @@ impl Snooker {
             free_ball: self.free_ball,
         });
         self.break_points = 0;
-        let worth_before = self.worth(shot.before);
+        let worth_before = self.points_left(shot.before);
         self.advance(state, false);
         if let Some(end) = self.end(state, shot) {
             return end;
         }
         let is_open = lead(state.scores) < worth_before
-            && lead(state.scores_after()) < self.worth(&state.layout);
+            && lead(state.scores_after()) < self.points_left(&state.layout);
         // After a miss with a full ball in sight, another miss from the same position is called at
         // any score (rule 14d).
         let misses = state.options.miss && stroke.missed && (is_open || self.misses > 0);
@@ -271,7 +271,7 @@ impl GameRules for Snooker {
             ("on", on.into()),
             ("free_ball", self.free_ball.into()),
             ("break", i64::from(self.break_points).into()),
-            ("points_left", i64::from(self.worth(&state.layout)).into()),
+            ("points_left", i64::from(self.points_left(&state.layout)).into()),
         ])
     }
 }

@@ -1,7 +1,6 @@
 //! Angles that a file may have in radians or in degrees.
 
 use alloc::format;
-use core::f64::consts::FRAC_PI_2;
 
 use super::key_path::KeyPath;
 use super::node::Node;
@@ -9,6 +8,7 @@ use super::read::Fields;
 use crate::error::Error;
 use crate::math::{degrees, radians};
 use crate::range::Range;
+use crate::shot;
 
 /// An angle that a file gives in radians or in degrees.
 pub(super) struct Angle {
@@ -32,7 +32,7 @@ pub(super) const ELEVATION: Angle = Angle {
     parent: &["strike"],
     radians_key: "elevation",
     degrees_key: "elevation_deg",
-    radians: Range::half_open(0.0, FRAC_PI_2, " rad"),
+    radians: shot::ELEVATION,
     degrees: Range::half_open(0.0, 90.0, " degrees"),
 };
 

@@ -101,6 +101,11 @@ impl ShotFile {
         with_named_dated(&self.to_source_node())
     }
 
+    /// The name of the physics preset that belongs to the table: that of a file without `physics`.
+    pub fn physics_of_table(&self) -> String {
+        table::write(self.shot.table()).1
+    }
+
     /// The file as JSON: what was read, number for number, and the elevation that is used.
     pub fn to_json(&self) -> String {
         self.to_node().to_json()

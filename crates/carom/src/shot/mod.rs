@@ -17,7 +17,7 @@ use alloc::vec::Vec;
 pub(crate) use balls::{CheckedBalls, MASS, RADIUS, checked as checked_balls, fits};
 pub use cling::{Cling, MOST_CONTACTS};
 pub use obstruction::{BallInSpace, Touched};
-pub(crate) use strike::{FASTEST, OFFSET, SPEED, explain};
+pub(crate) use strike::{ELEVATION, FASTEST, OFFSET, SPEED, explain};
 pub use strike::{Policy, StrikePolicy};
 
 use obstruction::CueLine;

@@ -1,6 +1,7 @@
 //! Checks of a strike, and the policies for strikes that a player could not play cleanly.
 
 use alloc::format;
+use core::f64::consts::FRAC_PI_2;
 
 use super::PlacedBall;
 use crate::MotionState;
@@ -14,6 +15,9 @@ use crate::resolve::cue_ball::{self, Strike, StrikeError};
 pub(crate) const FASTEST: f64 = 50.0;
 /// Speed of the cue, m/s.
 pub(crate) const SPEED: Range = Range::above(0.0, FASTEST, " m/s");
+/// Angle of the cue above the horizontal, rad.
+pub(crate) const ELEVATION: Range =
+    Range::half_open(0.0, FRAC_PI_2, " rad (the key with _deg takes degrees)");
 pub(crate) const OFFSET: Range = Range::closed(-1.0, 1.0, " ball radii");
 
 /// Tip friction so large that the tip never slips.
@@ -52,11 +56,10 @@ impl StrikePolicy {
 
 /// Refuses numbers that a shot file would refuse. `place` is the place of the strike.
 pub(super) fn check_ranges(place: &str, strike: &Strike) -> Result<(), Error> {
-    let quarter_turn = Range::half_open(0.0, core::f64::consts::FRAC_PI_2, " rad");
     for (key, value, range) in [
         ("speed", strike.speed, SPEED),
         ("azimuth", strike.azimuth, Range::any(" rad")),
-        ("elevation", strike.elevation, quarter_turn),
+        ("elevation", strike.elevation, ELEVATION),
         ("side", strike.side, OFFSET),
         ("height", strike.height, OFFSET),
     ] {

@@ -78,7 +78,11 @@ fn an_angle_in_radians_has_the_range_of_the_one_in_degrees() {
     angle(r#""azimuth": 1e300"#, "strike.azimuth", "out of range");
     angle(r#""azimuth": "north""#, "strike.azimuth", "found the text");
     let right_angle = r#""azimuth": 0, "elevation": 1.5707963267948966"#;
-    angle(right_angle, "strike.elevation", "write a number in [0, 1.5707963267948966) rad");
+    angle(
+        right_angle,
+        "strike.elevation",
+        "write a number in [0, 1.5707963267948966) rad (the key with _deg takes degrees)",
+    );
     angle(r#""azimuth": 0, "elevation": -0.1"#, "strike.elevation", "out of range");
     angle(r#""elevation": 0.1"#, "strike.azimuth_deg", "the key is missing");
 }
