@@ -582,6 +582,14 @@ class WasmFrame implements Frame {
     return [[left!, bottom!] as const, [right!, top!] as const] as const;
   }
 
+  describe() {
+    return this.handle.object.describe();
+  }
+
+  answerSchema() {
+    return JSON.parse(this.handle.object.answerSchema()) as Readonly<Record<string, unknown>>;
+  }
+
   shot(play: Play): Shot {
     const frame = this.handle.object;
     return withPlay(play, (given) => new WasmShot(checked(() => frame.shot(given))));
@@ -590,9 +598,10 @@ class WasmFrame implements Frame {
   play(play: Play, errors: PlayErrors = {}) {
     const frame = this.handle.object;
     const sigmas = errors.noise && sigmasOf(errors.noise);
-    const seed = whole("seed", errors.seed ?? 0);
+    const given = errors.seed ?? 0;
+    const seeds = (typeof given === "number" ? [given] : given).map((seed) => whole("seed", seed));
     const result = withPlay(play, (given) =>
-      checked(() => (sigmas ? frame.playNoisy(given, sigmas, seed) : frame.play(given))),
+      checked(() => (sigmas ? frame.playNoisy(given, sigmas, BigUint64Array.from(seeds)) : frame.play(given))),
     );
     this.#state = undefined;
     this.#moves.push({ play: playedOf(play, result) });

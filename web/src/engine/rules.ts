@@ -176,8 +176,10 @@ export interface FrameRecord {
 export interface PlayErrors {
   /** Default: the play is played as it is given. */
   readonly noise?: Noise;
-  /** Seed of the errors, a whole number. Default 0. */
-  readonly seed?: number;
+  /**
+   * Seed of the errors, a whole number; or a seed for each player, as in a match. Default 0.
+   */
+  readonly seed?: number | readonly [number, number];
 }
 
 /** Variants of a play, each ruled on. Arrays have an entry for each variant, `cue_ball` two. */
@@ -204,12 +206,22 @@ export interface Frame {
    * lower left and upper right corner, m. Null unless the cue ball is in hand.
    */
   readonly handBounds: readonly [Point, Point] | null;
+  /**
+   * The frame as text, from which a person or a language model can play: the score, the table, the balls, and
+   * what the request allows.
+   */
+  describe(): string;
+  /**
+   * The JSON Schema of an answer to the present request: `{"play": …}`, `{"choice": …}` or `{"concede": true}`,
+   * the form of a move in `record`.
+   */
+  answerSchema(): Readonly<Record<string, unknown>>;
   /** The shot that `play` would play. @throws CaromError as `play`. */
   shot(play: Play): Shot;
   /**
    * Plays a shot: simulates it and rules on it. The frame then has a new request. With a noise the player
    * errs: strike and cling are those of variant k of the seed (`Shot.variant`), where k is the number of
-   * shots played so far. `record` has the strike that was played, and the contacts that cling.
+   * shots played so far; with a seed for each player, of the player's own shots. `record` has the strike that was played, and the contacts that cling.
    * @throws CaromError if the request is not for a shot, if a call is missing or not allowed, if the cue
    * ball may not be placed there, and if the strike cannot be played. The frame is then unchanged.
    */
