@@ -21,7 +21,14 @@ from carom.batch import BatchResult, simulate_batch
 from carom.build import Layout, Physics, Strike, Table
 from carom.call import Call
 from carom.cloth import rolling_bands
-from carom.errors import CaromError, EndlessMotionError, EventCapError, InputError, PageError
+from carom.errors import (
+    AngleWarning,
+    CaromError,
+    EndlessMotionError,
+    EventCapError,
+    InputError,
+    PageError,
+)
 from carom.noise import Noise, NoisyResult, Perception
 from carom.plan import (
     Acceptance,
@@ -59,6 +66,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Acceptance",
     "Analysis",
+    "AngleWarning",
     "BatchResult",
     "BreakStatistics",
     "Call",
@@ -135,3 +143,7 @@ def __getattr__(name: str) -> object:
     if name in _LAZY_NAMES:
         return getattr(import_module(_LAZY_NAMES[name]), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_LAZY_MODULES, *_LAZY_NAMES})

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import math
 import operator
 import os
+import sys
+import warnings
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from carom.errors import InputError
+from carom.errors import AngleWarning, InputError
 from carom.lazy import np
 
 if TYPE_CHECKING:
@@ -17,6 +20,9 @@ T = TypeVar("T")
 
 # Seeds and indices have 64 bits.
 WORD = 1 << 64
+
+# An azimuth beyond this, rad, was probably meant in degrees: a full turn, with room for rounding.
+_FULL_TURN = 2 * math.pi * (1 + 1e-9)
 
 # More threads than any machine has cores; an operating system may refuse to start more.
 _MOST_THREADS = 1024
@@ -83,6 +89,69 @@ def flat(name: str, values: ArrayLike) -> NDArray[np.float64]:
     if found.size > _MOST_NUMBERS:
         raise InputError(f"{name}: {found.size} numbers are too many; give at most {_MOST_NUMBERS}")
     return found
+
+
+def angle(name: str, radians: Any, degrees: Any) -> float | None:
+    """An angle that is given in radians or in degrees, rad; None if it is not given.
+
+    Args:
+        name: The argument with radians; that with degrees has ``_deg`` behind it.
+        radians: Its value, or None.
+        degrees: The value of the other one, or None.
+
+    Raises:
+        InputError: Both are given, or a value is not a number.
+    """
+    _check_one_angle(name, radians, degrees)
+    if degrees is not None:
+        return math.radians(number(f"{name}_deg", degrees))
+    return None if radians is None else number(name, radians)
+
+
+def angles(name: str, radians: ArrayLike | None, degrees: ArrayLike | None) -> Any:
+    """As ``angle``, for a number or an array of any shape."""
+    _check_one_angle(name, radians, degrees)
+    if degrees is not None:
+        return np.radians(array(f"{name}_deg", degrees))
+    return None if radians is None else array(name, radians)
+
+
+def _check_one_angle(name: str, radians: Any, degrees: Any) -> None:
+    if radians is not None and degrees is not None:
+        raise InputError(
+            f"{name}: {name}_deg gives the same angle; keep {name} (rad) or {name}_deg (degrees)"
+        )
+
+
+def warn_of_degrees(name: str, radians: Any) -> None:
+    """Warn of an azimuth, or of several, beyond a full turn: probably it is in degrees.
+
+    Args:
+        name: The argument, or the place in a file.
+        radians: A number or an array, rad; None does nothing.
+    """
+    if isinstance(radians, float | int):
+        largest = abs(radians)
+    elif radians is None or not np.size(radians):
+        return
+    else:
+        largest = float(np.max(np.abs(radians)))
+    # Infinity and NaN are refused elsewhere.
+    if not _FULL_TURN < largest < math.inf:
+        return
+    warnings.warn(
+        f"{name}: {largest:g} rad is more than a full turn; write degrees as {name}_deg",
+        AngleWarning,
+        stacklevel=_level_of_user(),
+    )
+
+
+def _level_of_user() -> int:
+    """The ``stacklevel``, as seen from the calling function, of the first caller outside carom."""
+    level, frame = 0, sys._getframe(1)
+    while frame.f_back and frame.f_globals.get("__name__", "").partition(".")[0] == "carom":
+        level, frame = level + 1, frame.f_back
+    return level + 1
 
 
 def text(name: str, value: Any, such_as: str = "") -> str:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from carom import _core
-from carom.arguments import array, check_results, core, thread_count
+from carom.arguments import angles, array, check_results, core, thread_count, warn_of_degrees
 from carom.errors import InputError
 from carom.lazy import np
 from carom.progress import progress_bar
@@ -99,6 +99,8 @@ def batch(
     side: ArrayLike | None = None,
     height: ArrayLike | None = None,
     elevation: ArrayLike | None = None,
+    azimuth_deg: ArrayLike | None = None,
+    elevation_deg: ArrayLike | None = None,
     threads: int | None = None,
     progress: bool = False,
 ) -> BatchResult:
@@ -115,6 +117,8 @@ def batch(
         height: Contact point above centre, ball radii.
         elevation: Butt raised above horizontal, rad. If it was omitted in the shot, None is the
             default elevation of each variant.
+        azimuth_deg: The azimuth in degrees, in place of ``azimuth``.
+        elevation_deg: The elevation in degrees, in place of ``elevation``.
         threads: Number of threads; None is one per core. The result does not depend on it.
         progress: Show a progress bar on stderr.
 
@@ -124,6 +128,10 @@ def batch(
             result.
     """
     inner = core("shot", shot, _core.Shot, "carom.Shot.from_dict(...)")
+    azimuth = angles("azimuth", azimuth, azimuth_deg)
+    if azimuth_deg is None:
+        warn_of_degrees("azimuth", azimuth)
+    elevation = angles("elevation", elevation, elevation_deg)
     given = (speed, azimuth, elevation, side, height)
     columns = [
         array(name, default if value is None else value)

@@ -1,17 +1,19 @@
 """The parts that a shot is built from: table, physics, layout, strike.
 
-Each stands for a part of the shot file, with Python's names and with angles in radians. The engine
-checks the values when the shot is built.
+Each stands for a part of the shot file, with Python's names. Keys and numbers are checked where
+they are written; whether the parts fit together is checked when the shot is built.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Self
 
 from carom import _core
-from carom.arguments import number, text, whole
+from carom.arguments import angle, number, text, warn_of_degrees, whole
+from carom.errors import InputError
 
 JSON = dict[str, Any]
 
@@ -23,9 +25,15 @@ class Table:
     Args:
         description: The shot file's ``table``: a preset's name (`carom tables` lists them) or
             an object.
+
+    Raises:
+        InputError: There is no such preset, a key is unknown, or a value is invalid.
     """
 
     description: str | Mapping[str, Any] = "wpa-9ft"
+
+    def __post_init__(self) -> None:
+        _core.check_part("table", self.description)
 
     @classmethod
     def preset(cls, name: str, **changes: Any) -> Self:
@@ -55,9 +63,16 @@ class Physics:
 
     Args:
         description: The shot file's ``physics``; None is the preset that belongs to the table.
+
+    Raises:
+        InputError: There is no such preset, a key is unknown, or a value is invalid.
     """
 
     description: str | Mapping[str, Any] | None = None
+
+    def __post_init__(self) -> None:
+        if self.description is not None:
+            _core.check_part("physics", self.description)
 
     @classmethod
     def preset(cls, name: str, **changes: Any) -> Self:
@@ -78,14 +93,26 @@ class Layout:
         balls: The shot file's ``balls``: each with ``id``, ``position`` (2 or 3 numbers, m) and
             optionally ``velocity`` (m/s), ``angular_velocity`` (rad/s), ``mass`` (kg) and
             ``radius`` (m).
+
+    Raises:
+        InputError: A key is unknown, or a value is missing or invalid. Whether the balls have room
+            on a table is checked when a shot is built.
     """
 
     balls: Sequence[Mapping[str, Any]] = field(default_factory=tuple)
 
+    def __post_init__(self) -> None:
+        if isinstance(self.balls, Mapping):
+            raise InputError(
+                "balls: found positions by id; write carom.Layout.at({...}), or a list of balls"
+            )
+        _core.check_part("balls", self.balls)
+
     @classmethod
     def at(cls, positions: Mapping[str, Sequence[float]]) -> Self:
         """Balls at rest, by id: ``Layout.at({"cue": (0.6, 0.6), "1": (0.6, 1.9)})``, in m."""
-        # The engine rejects invalid positions and names their place in the file.
+        if not isinstance(positions, Mapping):
+            _core.wrong_type(positions, "positions", 'places by id, such as {"cue": (0.6, 0.6)}')
         return cls(tuple({"id": i, "position": p} for i, p in positions.items()))
 
     @classmethod
@@ -108,21 +135,29 @@ class Layout:
         return cls(tuple(rack.to_object()["balls"]))
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, init=False)
 class Strike:
     """A strike of the cue.
 
     Args:
-        ball: Id of the struck ball.
         speed: The cue's speed at contact, m/s, in (0, 50].
         azimuth: Direction in which the cue moves, counter-clockwise from +x, rad.
         elevation: Butt raised above horizontal, rad, in [0, π/2). None is the default elevation:
             the least angle of a real stroke at which the cue clears the rails and the other balls
             (docs/formats.md).
         side: Contact point right of the centre, in ball radii.
-        height: Contact point above the centre, in ball radii.
+        height: Contact point above the centre, in ball radii, measured across the cue.
+        ball: Id of the struck ball.
         obstruction: ``"report"`` or ``"refuse"`` a cue that would pass through a ball or rail.
         miscue: ``"refuse"`` a miscue, or ``"report"`` it and play as if the tip had not slipped.
+        azimuth_deg: The azimuth in degrees, in place of ``azimuth``.
+        elevation_deg: The elevation in degrees, in place of ``elevation``.
+
+    An azimuth of more than a full turn (2π) warns (``carom.AngleWarning``), because it was probably
+    meant in degrees. The other numbers are checked when a shot is built.
+
+    Raises:
+        InputError: There is no azimuth, or an angle is given twice or not a number.
     """
 
     speed: float
@@ -133,6 +168,80 @@ class Strike:
     ball: str = "cue"
     obstruction: str = "report"
     miscue: str = "refuse"
+
+    def __init__(
+        self,
+        speed: float,
+        azimuth: float | None = None,
+        elevation: float | None = None,
+        side: float = 0.0,
+        height: float = 0.0,
+        ball: str = "cue",
+        obstruction: str = "report",
+        miscue: str = "refuse",
+        *,
+        azimuth_deg: float | None = None,
+        elevation_deg: float | None = None,
+    ) -> None:
+        direction = angle("strike.azimuth", azimuth, azimuth_deg)
+        if direction is None:
+            raise InputError(
+                "strike.azimuth: is missing; give azimuth (rad) or azimuth_deg (degrees)"
+            )
+        if azimuth_deg is None:
+            warn_of_degrees("strike.azimuth", direction)
+        raised = angle("strike.elevation", elevation, elevation_deg)
+        if raised is not None and not 0.0 <= raised < math.pi / 2:
+            raise InputError(
+                f"strike.elevation: {raised:g} rad is out of range; write elevation_deg from 0 up "
+                "to 90 (degrees), or elevation in radians"
+            )
+        self._set(speed, direction, raised, side, height, ball, obstruction, miscue)
+
+    def _set(self, *values: Any) -> None:
+        for name, value in zip(self.__dataclass_fields__, values, strict=True):
+            object.__setattr__(self, name, value)
+
+    @classmethod
+    def _of(cls, *values: Any) -> Self:
+        """A strike with these fields, as it was recorded or computed, without any check."""
+        strike = cls.__new__(cls)
+        strike._set(*values)
+        return strike
+
+    @classmethod
+    def from_dict(cls, strike: Mapping[str, Any]) -> Self:
+        """Read a strike in the form of a shot file, with angles in radians or in degrees.
+
+        Raises:
+            InputError: A key is unknown, the speed or the azimuth is missing, or as for ``Strike``.
+        """
+        if not isinstance(strike, Mapping):
+            _core.wrong_type(strike, "strike", '{"speed": 2.0, "azimuth_deg": 90}')
+        _core.check_keys(strike, "strike", _KEYS)
+        if "speed" not in strike:
+            raise InputError("strike.speed: is missing; write the cue's speed in m/s")
+        return cls(**strike)
+
+    @classmethod
+    def _recorded(cls, strike: Mapping[str, Any]) -> Self:
+        """The strike of a record, in radians. Its angles were checked when it was played."""
+        fields = cls.__dataclass_fields__
+        _core.check_keys(strike, "play.strike", list(fields))
+        for name in ("speed", "azimuth"):
+            if name not in strike:
+                raise InputError(f"play.strike.{name}: is missing; give the value of Frame.record")
+        return cls._of(*(strike.get(name, getattr(cls, name, None)) for name in fields))
+
+    @property
+    def azimuth_deg(self) -> float:
+        """The azimuth in degrees."""
+        return math.degrees(self.azimuth)
+
+    @property
+    def elevation_deg(self) -> float | None:
+        """The elevation in degrees; None for the default one."""
+        return None if self.elevation is None else math.degrees(self.elevation)
 
     def to_dict(self) -> JSON:
         """The shot file's ``strike``, with angles in radians, so that they keep their bits."""
@@ -148,20 +257,23 @@ class Strike:
         }
 
 
+# The keys of a strike in a file.
+_KEYS = (*Strike.__dataclass_fields__, "azimuth_deg", "elevation_deg")
+
 # The keys of a shot file's ``strike`` that are not numbers.
 _WORDS = ("ball", "obstruction", "miscue")
 
 
-def like(numbers: Sequence[float], strike: Mapping[str, Any]) -> Strike:
+def like(numbers: Sequence[float | None], strike: Mapping[str, Any]) -> Strike:
     """A strike with these numbers, on the ball and under the policies of another one.
 
     Args:
-        numbers: Speed (m/s), azimuth, elevation (rad), side, height (ball radii).
+        numbers: Speed (m/s), azimuth, elevation (rad, or None), side, height (ball radii).
         strike: The shot file's ``strike`` with the ball, ``obstruction`` and ``miscue``.
     """
     speed, azimuth, elevation, side, height = numbers
-    words = {key: strike[key] for key in _WORDS if key in strike}
-    return Strike(speed, azimuth, elevation, side, height, **words)
+    ball, obstruction, miscue = (strike.get(key, getattr(Strike, key)) for key in _WORDS)
+    return Strike._of(speed, azimuth, elevation, side, height, ball, obstruction, miscue)
 
 
 def opening(

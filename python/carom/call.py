@@ -6,7 +6,18 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Self
 
+from carom import _core
 from carom.arguments import instance, text
+from carom.errors import InputError
+
+# The kinds of calls with their further values.
+_PARTS: dict[str, tuple[str, ...]] = {
+    "nothing": (),
+    "pocket": ("ball", "into"),
+    "on": ("ball",),
+    "safety": (),
+    "push-out": (),
+}
 
 
 @dataclass(frozen=True)
@@ -14,15 +25,15 @@ class Call:
     """What a player announces before a shot.
 
     Build one with ``Call.pocket("3", "top-left")``, ``Call.on("blue")``, ``Call.safety()`` or
-    ``Call.push_out()``. Pass ``None`` for no call.
+    ``Call.push_out()``. No call is ``None``, or ``Call("nothing")``: ``request.calls`` names it so.
 
     Attributes:
-        kind: ``pocket``, ``on``, ``safety`` or ``push-out``.
-        ball: The ball that is called or nominated.
-        into: The pocket that is called.
+        kind: ``pocket``, ``on``, ``safety``, ``push-out`` or ``nothing``.
+        ball: The ball that is called or nominated; None for other kinds.
+        into: The pocket that is called; None for other kinds.
 
     Raises:
-        InputError: A value is not a text.
+        InputError: There is no such kind, or its ball or pocket is missing or not a text.
     """
 
     kind: str
@@ -30,11 +41,19 @@ class Call:
     into: str | None = None
 
     def __post_init__(self) -> None:
-        text("call.kind", self.kind, '"pocket"')
-        if self.ball is not None:
-            text("call.ball", self.ball, "its id")
-        if self.into is not None:
-            text("call.pocket", self.into, "its name")
+        if text("call.kind", self.kind, '"pocket"') not in _PARTS:
+            _core.unknown_word(self.kind, "call.kind", "call", list(_PARTS))
+        for name, such_as in (("ball", "its id"), ("into", "the pocket's name")):
+            value = getattr(self, name)
+            if name in _PARTS[self.kind]:
+                text(f"call.{name}", value, such_as)
+            elif value is not None:
+                raise InputError(f'call.{name}: a call of "{self.kind}" has none; leave it out')
+
+    def to_dict(self) -> dict[str, str]:
+        """Plain values, for JSON, without those that this kind does not have."""
+        parts = {"kind": self.kind, "ball": self.ball, "into": self.into}
+        return {key: value for key, value in parts.items() if value is not None}
 
     @classmethod
     def pocket(cls, ball: str, pocket: str) -> Self:
@@ -76,13 +95,30 @@ class PlayArguments:
     cling: Mapping[str, Any] | None = None
 
 
-def fields_of(call: Call | None) -> tuple[str, str | None, str | None]:
+def read_call(call: Call | Mapping[str, Any] | None) -> Call | None:
+    """A call, also from a dict with its attributes; None if nothing is called.
+
+    Raises:
+        InputError: It is neither of these, or a key is unknown.
+    """
+    if isinstance(call, Mapping):
+        _core.check_keys(call, "call", ["kind", "ball", "into"])
+        if "kind" not in call:
+            raise InputError('call.kind: is missing; write one of request.calls, such as "pocket"')
+        call = Call(**call)
+    if call is None or instance("call", call, Call, _EXAMPLE).kind == "nothing":
+        return None
+    return call
+
+
+_EXAMPLE = 'carom.Call.pocket("1", "left")'
+
+
+def fields_of(call: Call | Mapping[str, Any] | None) -> tuple[str, str | None, str | None]:
     """Kind, ball and pocket, in the form that Rust accepts.
 
     Raises:
-        InputError: It is neither None nor a ``carom.Call``.
+        InputError: As for ``read_call``.
     """
-    if call is None:
-        return "nothing", None, None
-    instance("call", call, Call, 'carom.Call.pocket("1", "left")')
-    return call.kind, call.ball, call.into
+    found = read_call(call)
+    return ("nothing", None, None) if found is None else (found.kind, found.ball, found.into)

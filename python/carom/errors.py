@@ -22,6 +22,13 @@ class InputError(CaromError, ValueError):
     """Bad input. The message names the place, the fault and the remedy."""
 
 
+class AngleWarning(UserWarning):
+    """An angle in radians is so large that it was probably meant in degrees.
+
+    Filter it as any warning: ``warnings.simplefilter("error", carom.AngleWarning)``.
+    """
+
+
 class PageError(CaromError):
     """The page that ``carom play`` opens has not been built; the message gives the remedy."""
 

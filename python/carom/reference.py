@@ -31,8 +31,10 @@ def physics() -> list[dict[str, Any]]:
     return _core.physics()
 
 
-def schema(kind: Literal["shot", "trace", "sweep"] = "shot") -> dict[str, Any]:
-    """The JSON Schema of the shot file, of the trace, or of a sweep's spec.
+def schema(kind: Literal["shot", "trace", "play", "sweep"] = "shot") -> dict[str, Any]:
+    """The JSON Schema of the shot file, of the trace, of a frame's play, or of a sweep's spec.
+
+    ``Frame.answer_schema`` gives that of the answers to a frame's present request.
 
     Raises:
         InputError: There is no schema of that name.
@@ -40,9 +42,11 @@ def schema(kind: Literal["shot", "trace", "sweep"] = "shot") -> dict[str, Any]:
     if checked("kind", kind, '"shot"') == "sweep":
         path = Path(__file__).with_name("data") / "carom-sweep-1.json"
         text = path.read_text(encoding="utf-8")
-    elif kind in ("shot", "trace"):
+    elif kind in ("shot", "trace", "play"):
         text = _core.schema(kind)
     else:
-        raise InputError(f'kind: there is no schema "{kind}"; write "shot", "trace" or "sweep"')
+        raise InputError(
+            f'kind: there is no schema "{kind}"; write "shot", "trace", "play" or "sweep"'
+        )
     result: dict[str, Any] = json.loads(text)
     return result

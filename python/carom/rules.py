@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from copy import deepcopy
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any, Self
 
 from carom import _core
 from carom.arguments import instance, number, numbers, text, truth, whole
 from carom.batch import VARIABLES
 from carom.build import Physics, Strike, Table
-from carom.call import Call, PlayArguments, fields_of
+from carom.call import Call, PlayArguments, fields_of, read_call
 from carom.deprecated import renamed_arguments
 from carom.errors import InputError
 from carom.noise import Noise
+from carom.request import Choice, Foul, GameState, Request
+from carom.request import request as read_request
 from carom.shot import Shot
-from carom.trace import Record, Trace
+from carom.trace import Trace
 
 _FORMAT = "carom-frame/1"
 
@@ -38,7 +40,7 @@ class Ruling:
     """
 
     legal: bool
-    fouls: tuple[Record, ...]
+    fouls: tuple[Foul, ...]
     points: tuple[int, int]
     spotted: tuple[str, ...]
     racked: bool
@@ -49,7 +51,7 @@ class Ruling:
         one, other = node["points"]
         return cls(
             legal=node["legal"],
-            fouls=tuple(Record(foul) for foul in node["fouls"]),
+            fouls=tuple(Foul(foul) for foul in node["fouls"]),
             points=(one, other),
             spotted=tuple(node["spotted"]),
             racked=node["racked"],
@@ -214,7 +216,8 @@ class Frame:
                         play["call"] = Call(**play["call"])
                     cling = play.pop("cling", None)
                     call = play.get("call")
-                    arguments = replace(_arguments(Strike(**strike), **play), cling=cling)
+                    arguments = _arguments(Strike._recorded(strike), **play)
+                    arguments = replace(arguments, cling=cling)
                     self._play(arguments, call, None, 0)
                 except TypeError as error:
                     raise InputError(f"play: {error}; give the value of Frame.record") from None
@@ -265,25 +268,31 @@ class Frame:
         return str(self.to_dict()["game"])
 
     @property
-    def request(self) -> Record:
-        """The next request.
+    def request(self) -> Request:
+        """The next request, a dict whose keys are also attributes.
 
         ``kind`` is ``shot`` (with ``player``, ``cue_ball``, ``in_hand``: None, ``anywhere``,
         ``behind-head-string`` or ``the-d``; ``on``: balls of which one must be hit first, empty if
-        any may be; ``calls``: the kinds of call that are allowed), ``choice`` (with ``player``,
-        ``choices``, ``why``) or ``over`` (with ``winner``, ``why``).
+        any may be; ``calls``: the kinds of ``Call`` that are allowed, where ``nothing`` is no
+        call), ``choice`` (with ``player``, ``choices``, ``why``) or ``over`` (with ``winner``,
+        ``why``). An attribute that the kind does not have is None or empty.
         """
-        return Record(self.to_dict()["request"])
+        return read_request(self.to_dict()["request"])
 
     @property
     def over(self) -> bool:
         """Whether the frame has ended."""
-        return bool(self.request["kind"] == "over")
+        return self.request.kind == "over"
 
     @property
     def player(self) -> int | None:
         """The player whose turn it is; None when the frame is over."""
-        return self.request.get("player")
+        return self.request.player
+
+    @property
+    def winner(self) -> int | None:
+        """The player who has won; None while the frame goes on, and if it ended undecided."""
+        return self.request.winner
 
     @property
     def scores(self) -> tuple[int, int]:
@@ -303,20 +312,68 @@ class Frame:
         return {ball: (x, y) for ball, (x, y) in self.to_dict()["balls"].items()}
 
     @property
-    def state(self) -> Record:
+    def hand_bounds(self) -> tuple[tuple[float, float], tuple[float, float]] | None:
+        """The box around the region in which the cue ball may be placed, m.
+
+        Its lower left and upper right corners; for the D it is the box around the half disk. None
+        unless the cue ball is in hand.
+        """
+        bounds = self._core.hand_bounds
+        if bounds is None:
+            return None
+        (left, bottom), (right, top) = bounds
+        return (left, bottom), (right, top)
+
+    @property
+    def table(self) -> Table:
+        """The table."""
+        return self._bare_shot().table
+
+    @property
+    def physics(self) -> Physics:
+        """The physics."""
+        return self._bare_shot().physics
+
+    def geometry(self) -> dict[str, Any]:
+        """The table's dimensions, cushions and pockets, m, origin at the bottom left corner."""
+        return self._bare_shot().geometry()
+
+    def _bare_shot(self) -> Shot:
+        """A shot on the frame's table with its physics; its balls are not those of the frame."""
+        return Shot._wrap(_core.Shot.from_object(self._core.base()))
+
+    def describe(self) -> str:
+        """The frame as text, from which a person or a language model can play.
+
+        It has the game, the score, the table, the place of every ball (m), and what the request
+        allows. ``answer_schema`` is the form of an answer.
+        """
+        return self._core.describe()
+
+    def answer_schema(self) -> dict[str, Any]:
+        """The JSON Schema of an answer to the present request, for ``answer``.
+
+        It has only the choices, calls, balls and pockets that are allowed. A play that follows it
+        may still be refused: if the cue ball is placed within ``hand_bounds`` but not in the region
+        or on another ball, or if the strike is beyond the miscue limit.
+        """
+        return self._core.answer_schema()
+
+    @property
+    def state(self) -> GameState:
         """Values that only this game has.
 
         ``groups`` in eight-ball; ``on``, ``free_ball``, ``break`` and ``points_left`` (the most
         that the balls on the table are worth) in snooker; ``innings`` in three-cushion.
         """
-        return Record(self.to_dict()["state"])
+        return GameState(self.to_dict()["state"])
 
     def shot(
         self,
-        strike: Strike,
+        strike: Strike | Mapping[str, Any],
         *,
         cue_ball: Sequence[float] | None = None,
-        call: Call | None = None,
+        call: Call | Mapping[str, Any] | None = None,
     ) -> Shot:
         """The shot that ``play`` would simulate.
 
@@ -327,27 +384,34 @@ class Frame:
 
     def play(
         self,
-        strike: Strike,
+        strike: Strike | Mapping[str, Any],
         *,
         cue_ball: Sequence[float] | None = None,
-        call: Call | None = None,
+        call: Call | Mapping[str, Any] | None = None,
         noise: Noise | None = None,
-        seed: int = 0,
+        seed: int | Sequence[int] = 0,
     ) -> Ruling:
         """Play a shot: simulate it, rule on it, and update the request.
 
         With ``noise`` the player errs: the strike and the contacts that cling are those of variant
-        k of ``seed`` (``Noise.variant``), where k is the number of shots played so far. ``record``
-        has the strike that was played and these contacts.
+        k of ``seed`` (``Noise.variant``), where k is the number of shots played so far. A drawn
+        strike for which the tip's efficiency is too low is moved back to the nearest one that can
+        be played. ``record`` has the strike that was played and these contacts.
+
+        A match (``play_match``) has a seed for each player, and k counts the player's own shots. So
+        the errors of a player do not depend on what the other one does. Two seeds do the same
+        here: with the ``errors`` of a match record's ``seeds`` the frame is that of the match, to
+        the bit.
 
         Args:
-            strike: The strike. Its ``ball`` is not used: the frame determines the cue ball. Without
-                an elevation it gets the default one, and ``record`` has the angle. Its
-                ``obstruction`` and ``miscue`` hold for this shot.
+            strike: The strike, or a dict in the form of a shot file's ``strike``. Its ``ball`` is
+                not used: the frame determines the cue ball. Without an elevation it gets the
+                default one, and ``record`` has the angle. Its ``obstruction`` and ``miscue`` hold
+                for this shot.
             cue_ball: Where to place the cue ball first (x, y in m), if it is in hand.
-            call: What the player announces.
+            call: What the player announces, or a dict with the attributes of a ``Call``.
             noise: Errors of the player; None for the strike as it is given, without cling.
-            seed: Seed of the errors.
+            seed: Seed of the errors; or two, of player 0 and of player 1.
 
         Raises:
             InputError: No shot is requested, the call is missing or not allowed, the cue ball must
@@ -357,12 +421,63 @@ class Frame:
         """
         if noise is not None:
             instance("noise", noise, Noise, 'carom.Noise.preset("club")')
-        return self._play(_arguments(strike, cue_ball, call), call, noise, whole("seed", seed))
+        arguments = _arguments(strike, cue_ball, call)
+        return self._play(arguments, read_call(call), noise, _seeds(seed))
+
+    def answer(
+        self,
+        answer: Mapping[str, Any],
+        *,
+        noise: Noise | None = None,
+        seed: int | Sequence[int] = 0,
+    ) -> Ruling:
+        """Answer the request with plain values, such as those of a program that writes JSON.
+
+        Args:
+            answer: ``{"play": {"strike": {...}, "cue_ball": [x, y], "call": {...}}}``,
+                ``{"choice": name}`` or ``{"concede": True}``: the form of a move in ``record``.
+                ``answer_schema`` is its JSON Schema.
+            noise: Errors of the player, as for ``play``.
+            seed: Seed of the errors, as for ``play``.
+
+        Raises:
+            InputError: The answer has another form, or as for ``play``, ``choose`` and
+                ``concede``. The frame is unchanged then.
+            EventCapError: As for ``play``.
+        """
+        if not isinstance(answer, Mapping):
+            _core.wrong_type(
+                answer, "answer", '{"play": {...}}, {"choice": ...} or {"concede": true}'
+            )
+        _core.check_keys(answer, "answer", ["play", "choice", "concede"])
+        if len(answer) != 1:
+            raise InputError(
+                f"answer: found {len(answer)} keys; write one of play, choice and concede"
+            )
+        if "choice" in answer:
+            return self.choose(answer["choice"])
+        if "concede" in answer:
+            if answer["concede"] is not True:
+                raise InputError("answer.concede: is not true; write true, or leave it out")
+            return self.concede()
+        play = answer["play"]
+        if not isinstance(play, Mapping):
+            _core.wrong_type(play, "answer.play", 'an object with "strike"')
+        _core.check_keys(play, "answer.play", ["strike", "cue_ball", "call"])
+        if "strike" not in play:
+            raise InputError(
+                'answer.play.strike: is missing; write {"speed": 2, "azimuth_deg": 90}'
+            )
+        return self.play(**play, noise=noise, seed=seed)
 
     def _play(
-        self, arguments: PlayArguments, call: Call | None, noise: Noise | None, seed: int
+        self,
+        arguments: PlayArguments,
+        call: Call | None,
+        noise: Noise | None,
+        seeds: int | tuple[int, int],
     ) -> Ruling:
-        ruling, core, struck, cling = self._core.play(arguments, noise, seed)
+        ruling, core, struck, cling = self._core.play(arguments, noise, seeds)
         trace = Trace._wrap(core)
         written: dict[str, Any] = dict(zip(VARIABLES, struck, strict=True))
         if arguments.strike[2] is None and noise is None:
@@ -372,13 +487,13 @@ class Frame:
         play = {
             "strike": written,
             "cue_ball": arguments.cue_ball and list(arguments.cue_ball),
-            "call": call and asdict(call),
+            "call": call and call.to_dict(),
             "cling": cling,
         }
         self._moves.append({"play": {key: value for key, value in play.items() if value}})
         return Ruling._read(ruling, trace)
 
-    def choose(self, choice: str) -> Ruling:
+    def choose(self, choice: Choice | str) -> Ruling:
         """Answer a choice with one of ``request.choices``.
 
         Raises:
@@ -398,15 +513,30 @@ class Frame:
         self._moves.append({"concede": True})
         return Ruling._read(ruling)
 
+    def __str__(self) -> str:
+        return self.describe()
+
     def __repr__(self) -> str:
         request = self.request
         asked = ", ".join(f"{key}={value!r}" for key, value in request.items() if value)
         return f"<Frame of {self.game}, {self.scores[0]}:{self.scores[1]}, asks {asked}>"
 
 
+def _seeds(seed: int | Sequence[int]) -> int | tuple[int, int]:
+    if isinstance(seed, Sequence) and not isinstance(seed, str | bytes):
+        if len(seed) != 2:
+            raise InputError(f"seed: found {len(seed)} seeds; give one, or one for each player")
+        return whole("seed[0]", seed[0]), whole("seed[1]", seed[1])
+    return whole("seed", seed)
+
+
 def _arguments(
-    strike: Strike, cue_ball: Sequence[float] | None = None, call: Call | None = None
+    strike: Strike | Mapping[str, Any],
+    cue_ball: Sequence[float] | None = None,
+    call: Call | Mapping[str, Any] | None = None,
 ) -> PlayArguments:
+    if isinstance(strike, Mapping):
+        strike = Strike.from_dict(strike)
     instance("strike", strike, Strike, "carom.Strike(speed=2.0, azimuth=1.57)")
     speed, azimuth, side, height = (
         number(f"strike.{key}", getattr(strike, key)) for key in VARIABLES if key != "elevation"

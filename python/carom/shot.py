@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
@@ -10,17 +10,41 @@ import carom
 from carom import _core, arguments, plan
 from carom._core import Shot as CoreShot
 from carom.batch import VARIABLES, batch, own_strike
-from carom.build import Layout, Physics, Strike, Table
+from carom.build import Layout, Physics, Strike, Table, like
 from carom.errors import EventCapError
 from carom.files import read_text, shown
 from carom.lazy import np
+from carom.method import method
 from carom.noise import vary
+from carom.record import Record
 from carom.trace import Trace
 
 if TYPE_CHECKING:
     import os
 
     from numpy.typing import NDArray
+
+
+class BallEntry(Record):
+    """A ball as a shot file has it; keys that have their usual value are missing.
+
+    Attributes:
+        id: The ball's id.
+        position: Centre, m, two or three numbers.
+        velocity: m/s.
+        angular_velocity: rad/s.
+        mass: kg.
+        radius: m.
+    """
+
+    __slots__ = ()
+
+    id: str
+    position: Sequence[float]
+    velocity: Sequence[float]
+    angular_velocity: Sequence[float]
+    mass: float
+    radius: float
 
 
 class Shot:
@@ -35,7 +59,8 @@ class Shot:
     Args:
         table: The table, or the shot file's ``table`` (a preset's name, an object).
         layout: The balls, or the shot file's ``balls``, or positions (m) by id.
-        strike: The strike; None if the balls have velocities of their own.
+        strike: The strike, or the shot file's ``strike``, without ``ball`` that of the ball
+            ``cue``; None if the balls have velocities of their own.
         physics: The parameters; None is the preset that belongs to the table.
         max_events: Largest number of events; more are an error. None is the engine's default.
         until: End time, s since the strike, > 0: the trace and every result are those of this
@@ -69,13 +94,24 @@ class Shot:
             physics = physics.description
         optional = {
             "physics": physics,
-            "strike": strike.to_dict() if isinstance(strike, Strike) else strike,
+            "strike": _strike(strike),
             "cling": cling,
             "until": until,
             "max_events": max_events,
         }
         file |= {key: value for key, value in optional.items() if value is not None}
         self._core = _core.Shot.from_object(file)
+        if not isinstance(strike, Strike):
+            self._warn_of_degrees()
+
+    def _warn_of_degrees(self) -> None:
+        """Warn of an azimuth in radians that was probably meant in degrees."""
+        strike = self._core.strike
+        if strike is not None and abs(strike[1]) > 1.0:
+            # Of the two keys the one that was written.
+            arguments.warn_of_degrees(
+                "strike.azimuth", self._core.to_source()["strike"].get("azimuth")
+            )
 
     @classmethod
     def _wrap(cls, core: CoreShot) -> Self:
@@ -105,7 +141,9 @@ class Shot:
     @classmethod
     def _read(cls, text: str, file: str | None) -> Self:
         """Read a shot from JSON text; the error of a syntax fault names the file of the text."""
-        return cls._wrap(_core.Shot.from_json(text, file))
+        shot = cls._wrap(_core.Shot.from_json(text, file))
+        shot._warn_of_degrees()
+        return shot
 
     @classmethod
     def from_dict(cls, file: Mapping[str, Any]) -> Self:
@@ -114,6 +152,13 @@ class Shot:
         Raises:
             InputError: It is not a valid shot.
         """
+        shot = cls._wrap(_core.Shot.from_object(file))
+        shot._warn_of_degrees()
+        return shot
+
+    @classmethod
+    def _copied(cls, file: Mapping[str, Any]) -> Self:
+        """The shot of a pickle, which warned of its angles when it was made."""
         return cls._wrap(_core.Shot.from_object(file))
 
     def to_dict(self) -> dict[str, Any]:
@@ -150,16 +195,62 @@ class Shot:
         return np.array(self._core.mass)
 
     @property
+    def table(self) -> Table:
+        """The table, as it was given."""
+        return Table(self._core.to_source()["table"])
+
+    @property
+    def physics(self) -> Physics:
+        """The physics, as it was given; if it was not, the preset that belongs to the table."""
+        return Physics(self._core.to_source().get("physics", self._core.physics_of_table))
+
+    @property
+    def balls(self) -> list[BallEntry]:
+        """The balls as the shot file has them, in the order of ``ids``.
+
+        ``Shot(shot.table, shot.balls, shot.strike, physics=shot.physics)`` is this shot again, if
+        it has no end time, no cling and the usual largest number of events.
+        """
+        return [BallEntry(ball) for ball in self._core.to_source()["balls"]]
+
+    @property
+    def strike(self) -> Strike | None:
+        """The strike; None without one. Its elevation is None if it was omitted."""
+        numbers = self._core.strike
+        if numbers is None:
+            return None
+        speed, azimuth, elevation, side, height = numbers
+        raised = None if self.has_default_elevation else elevation
+        return like((speed, azimuth, raised, side, height), self._core.to_source()["strike"])
+
+    @property
+    def speed(self) -> float | None:
+        """The cue's speed, m/s; None without a strike."""
+        return self._number(0)
+
+    @property
     def azimuth(self) -> float | None:
         """Direction in which the cue moves, rad; None without a strike."""
-        strike = self._core.strike
-        return None if strike is None else strike[1]
+        return self._number(1)
 
     @property
     def elevation(self) -> float | None:
         """Butt of the cue raised above horizontal, rad; None without a strike."""
+        return self._number(2)
+
+    @property
+    def side(self) -> float | None:
+        """Contact point right of centre, ball radii; None without a strike."""
+        return self._number(3)
+
+    @property
+    def height(self) -> float | None:
+        """Contact point above centre, ball radii; None without a strike."""
+        return self._number(4)
+
+    def _number(self, index: int) -> float | None:
         strike = self._core.strike
-        return None if strike is None else strike[2]
+        return None if strike is None else strike[index]
 
     @property
     def has_default_elevation(self) -> bool:
@@ -174,6 +265,8 @@ class Shot:
         side: float | None = None,
         height: float | None = None,
         elevation: float | None = None,
+        azimuth_deg: float | None = None,
+        elevation_deg: float | None = None,
     ) -> Self:
         """The same shot with another strike. Arguments that are None keep the value of this shot.
 
@@ -184,12 +277,18 @@ class Shot:
             height: Contact point above centre, ball radii.
             elevation: Butt raised above horizontal, rad. If it was omitted in this shot, None is
                 the default elevation of the new strike.
+            azimuth_deg: The azimuth in degrees, in place of ``azimuth``.
+            elevation_deg: The elevation in degrees, in place of ``elevation``.
 
         Raises:
             InputError: The shot has no strike, or this one cannot be played: a number is out of
                 range, the tip would slip off, or the cue would pass through something and the shot
                 has ``"obstruction": "refuse"``.
         """
+        azimuth = arguments.angle("azimuth", azimuth, azimuth_deg)
+        if azimuth_deg is None:
+            arguments.warn_of_degrees("azimuth", azimuth)
+        elevation = arguments.angle("elevation", elevation, elevation_deg)
         given = (speed, azimuth, elevation, side, height)
         own = own_strike(self._core)
         new_speed, new_azimuth, new_elevation, new_side, new_height = (
@@ -230,15 +329,15 @@ class Shot:
         return Trace._wrap(_core.simulate(self._core))
 
     # Questions: functions whose first argument is the shot.
-    batch = batch
-    vary = vary
-    evaluate = plan.evaluate
-    solve = plan.solve
-    pot_map = plan.pot_map
-    position_map = plan.position_map
-    acceptance = plan.acceptance
-    kick_table = plan.kick_table
-    bank_table = plan.bank_table
+    batch = method(batch)
+    vary = method(vary)
+    evaluate = method(plan.evaluate)
+    solve = method(plan.solve)
+    pot_map = method(plan.pot_map)
+    position_map = method(plan.position_map)
+    acceptance = method(plan.acceptance)
+    kick_table = method(plan.kick_table)
+    bank_table = method(plan.bank_table)
 
     def show(self, *, height: int | None = None) -> None:
         """Aim and play the shot in the notebook, or else in the browser until Ctrl-C.
@@ -256,14 +355,15 @@ class Shot:
         return carom.page.frame(self) if carom.page.is_built() else None
 
     def __eq__(self, other: object) -> bool:
-        return isinstance(other, Shot) and self._core.to_json() == other._core.to_json()
+        return isinstance(other, Shot) and self._core.equals(other._core)
 
     def __hash__(self) -> int:
-        return hash(self._core.to_json())
+        # Not the text, which may differ for equal shots.
+        return hash((tuple(self.ids), self._core.strike))
 
     def __reduce__(self) -> tuple[Any, tuple[dict[str, Any]]]:
         # The copy of a shot with a default elevation has it too, and not the same angle.
-        return (Shot.from_dict, (self._core.to_source(),))
+        return (Shot._copied, (self._core.to_source(),))
 
     def __repr__(self) -> str:
         count = len(self.ids)
@@ -279,6 +379,14 @@ def _trace_to_cap(file: dict[str, Any]) -> Trace:
 # A trace has its shot, and the error of the event cap its trace.
 Trace._shot_of = Shot._wrap
 EventCapError._trace_of = _trace_to_cap
+
+
+def _strike(strike: Strike | Mapping[str, Any] | None) -> Any:
+    if isinstance(strike, Strike):
+        return strike.to_dict()
+    if isinstance(strike, Mapping):
+        return {"ball": Strike.ball, **strike}
+    return strike
 
 
 def _balls(layout: Any) -> Any:

@@ -13,6 +13,7 @@ from carom._core import Shot as CoreShot
 from carom._core import Trace as CoreTrace
 from carom.errors import InputError
 from carom.event_table import plain
+from carom.events import Outcome, TraceEvent, event
 from carom.files import read_text, shown
 from carom.lazy import np
 
@@ -21,19 +22,6 @@ if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
 
     from numpy.typing import ArrayLike, NDArray
-
-
-class Record(dict[str, Any]):
-    """A dict whose keys are also attributes: ``event.time`` is ``event["time"]``."""
-
-    __slots__ = ()
-
-    def __getattr__(self, name: str) -> Any:
-        try:
-            return self[name]
-        except KeyError:
-            known = ", ".join(self)
-            raise AttributeError(f"no {name!r} here; there are: {known}") from None
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,18 +111,18 @@ class Trace:
         return self._core.to_object()
 
     @cached_property
-    def events(self) -> list[Record]:
-        """The events in order, each as ``carom-trace/1`` has it.
+    def events(self) -> list[TraceEvent]:
+        """The events in order, each as ``carom-trace/1`` has it; keys are also attributes.
 
         Impacts have ``impulses``, the change of each ball's momentum, N s, shape (n_balls, 3), and
         ``points``, the points of contact, m, shape (n_points, 3).
         """
-        return [Record(event) for event in self._dict["events"]]
+        return [event(entry) for entry in self._dict["events"]]
 
     @cached_property
-    def outcome(self) -> Record:
-        """The result that rules need, as ``carom-trace/1`` has it."""
-        return Record(self._dict["outcome"])
+    def outcome(self) -> Outcome:
+        """The result that rules need, as ``carom-trace/1`` has it; keys are also attributes."""
+        return Outcome(self._dict["outcome"])
 
     @property
     def duration(self) -> float:

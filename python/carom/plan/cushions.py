@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from carom import _core
-from carom.arguments import flat, number, thread_count, whole
+from carom.arguments import angles, flat, number, thread_count, warn_of_degrees, whole
 from carom.lazy import np
 from carom.plan.lookup import ball_index, core_of
 from carom.progress import stage_bars
@@ -50,6 +50,7 @@ def kick_table(
     shot: carom.Shot,
     *,
     azimuth: ArrayLike | None = None,
+    azimuth_deg: ArrayLike | None = None,
     speed: ArrayLike = (1.5, 3.0, 5.0),
     side: ArrayLike = (-0.4, 0.0, 0.4),
     height: float = 0.0,
@@ -63,6 +64,7 @@ def kick_table(
         shot: Table, physics and struck ball. The elevation is that of its strike;
             if it is omitted, it is the default of each cell, without the other balls.
         azimuth: Directions of the cue, rad; None is every 5°.
+        azimuth_deg: The same in degrees, in place of ``azimuth``.
         speed: Speeds of the cue, m/s.
         side: Contact points right of centre, ball radii.
         height: Contact point above centre, ball radii.
@@ -74,7 +76,7 @@ def kick_table(
         InputError: The shot has no strike, the cloth has no cushions, a strike cannot be played,
             or there are more than ten million contacts.
     """
-    turns, speeds, sides = _turns(azimuth), flat("speed", speed), flat("side", side)
+    turns, speeds, sides = _turns(azimuth, azimuth_deg), flat("speed", speed), flat("side", side)
     cushions = whole("cushions", cushions, _MOST_CUSHIONS + 1, low=1)
     with stage_bars(["balls"], show=progress) as report:
         found = _core.kick_table(
@@ -96,6 +98,7 @@ def bank_table(
     ball: str,
     *,
     azimuth: ArrayLike | None = None,
+    azimuth_deg: ArrayLike | None = None,
     speed: ArrayLike = (1.0, 2.0, 4.0),
     cushions: int = 2,
     threads: int | None = None,
@@ -107,6 +110,7 @@ def bank_table(
         shot: Table, physics and ball.
         ball: The ball's id.
         azimuth: Directions in which it starts, rad; None is every 5°.
+        azimuth_deg: The same in degrees, in place of ``azimuth``.
         speed: Its speeds at the start, m/s, in (0, 100]; it slides first, as after a collision.
         cushions: Largest number of cushions listed per ball, at most 12.
         threads: Number of threads; None is one per core. The result does not depend on it.
@@ -117,7 +121,7 @@ def bank_table(
             there are more than ten million contacts.
     """
     index = ball_index(shot, ball)
-    turns, speeds = _turns(azimuth), flat("speed", speed)
+    turns, speeds = _turns(azimuth, azimuth_deg), flat("speed", speed)
     cushions = whole("cushions", cushions, _MOST_CUSHIONS + 1, low=1)
     with stage_bars(["balls"], show=progress) as report:
         found = _core.bank_table(
@@ -132,8 +136,13 @@ def bank_table(
     return _table(shot, ball, (turns, speeds, flat("side", 0.0)), cushions, found)
 
 
-def _turns(azimuth: ArrayLike | None) -> NDArray[np.float64]:
-    return flat("azimuth", np.radians(np.arange(0, 360, 5)) if azimuth is None else azimuth)
+def _turns(azimuth: ArrayLike | None, azimuth_deg: ArrayLike | None) -> NDArray[np.float64]:
+    if azimuth is None and azimuth_deg is None:
+        azimuth_deg = np.arange(0, 360, 5)
+    turns = flat("azimuth", angles("azimuth", azimuth, azimuth_deg))
+    if azimuth_deg is None:
+        warn_of_degrees("azimuth", turns)
+    return turns
 
 
 def _table(

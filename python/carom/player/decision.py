@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any, Self
 
 from carom.arguments import instance
-from carom.build import Strike
+from carom.build import Strike, like
 from carom.call import Call
 from carom.player import words
 from carom.rules import Frame, Ruling
@@ -34,7 +34,7 @@ class Play:
         kind, ball, pocket = fields["call"]
         x_and_y = fields["cue_ball"]
         return cls(
-            strike=Strike(speed, azimuth, elevation, side, height),
+            strike=like((speed, azimuth, elevation, side, height), {}),
             cue_ball=None if x_and_y is None else (x_and_y[0], x_and_y[1]),
             call=None if kind == "nothing" else Call(kind, ball, pocket),
         )
@@ -53,7 +53,7 @@ class Play:
         play = {
             "strike": strike,
             "cue_ball": self.cue_ball and list(self.cue_ball),
-            "call": self.call and asdict(self.call),
+            "call": self.call and self.call.to_dict(),
         }
         return {key: value for key, value in play.items() if value}
 

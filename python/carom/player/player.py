@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any, Self
+
 from carom import _core
 from carom.arguments import instance, text, thread_count, whole
 from carom.errors import InputError
@@ -67,6 +69,7 @@ class Player:
         threads: int | None = None,
     ) -> None:
         name = "carom" if level is None else text("level", level, '"carom"')
+        self._level = name
         self._core = _core.Player(name)
         unlimited = time is not None or rounds is not None
         named = self._core.simulations
@@ -179,6 +182,17 @@ class Player:
             rounds=own.rounds,
             time=own.time,
         )
+
+    @classmethod
+    def _restored(cls, level: str, thinking: Thinking, threads: int | None) -> Self:
+        player = cls.__new__(cls)
+        player._level, player._thinking, player._threads = level, thinking, threads
+        player._core = _core.Player(level)
+        return player
+
+    def __reduce__(self) -> tuple[Any, tuple[str, Thinking, int | None]]:
+        # A player has only settings: a copy decides the same, and `stop` of one leaves the other.
+        return type(self)._restored, (self._level, self._thinking, self._threads)
 
     def __repr__(self) -> str:
         own = self._thinking
