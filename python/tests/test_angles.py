@@ -29,7 +29,7 @@ def as_file(**strike: float) -> dict[str, Any]:
     return {**file, "strike": {"ball": "cue", "speed": 2.0, **strike}}
 
 
-# Seen: Strike(2.0, 90.0) played at 116.6° without a word.
+# Seen: Strike(2.0, 90.0) played at 116.6° silently.
 SILENT: dict[str, Callable[[Shot], object]] = {
     "a strike": lambda shot: Strike(2.0, 90.0),
     "with_strike": lambda shot: shot.with_strike(azimuth=90.0),

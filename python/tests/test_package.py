@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import inspect
 import subprocess
 import sys
 import zlib
@@ -75,3 +76,19 @@ def test_drawing_writes_nothing_to_the_home_directory(tmp_path: Path) -> None:
         capture_output=True,
     )
     assert list(tmp_path.iterdir()) == []
+
+
+def test_dir_lists_every_public_name_also_those_that_are_loaded_later() -> None:
+    names = python("import carom; print(*dir(carom))").split()
+    assert set(carom.__all__) <= set(names)
+    assert {"sweep", "Sweep", "picture", "convert", "page", "bench", "serve"} <= set(names)
+
+
+def test_the_methods_of_a_shot_show_self_and_no_shot() -> None:
+    for name, method in inspect.getmembers(carom.Shot, inspect.isfunction):
+        if name.startswith("_"):
+            continue
+        assert next(iter(inspect.signature(method).parameters)) == "self", name
+        assert "        shot: " not in (method.__doc__ or ""), name
+    questions = (carom.evaluate, carom.solve, carom.pot_map)
+    assert all("        shot: " in (question.__doc__ or "") for question in questions)

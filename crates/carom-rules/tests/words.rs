@@ -33,7 +33,7 @@ fn the_description_of_a_frame_has_what_a_player_needs() {
     for part in [
         "The table is open.",
         "Pockets: bottom-left (",
-        ", 8 (0.6350, 1.9",
+        ", 8 (0.6350, 2.0042)",
         "with cue in hand behind the head string; its centre may be put where y < 0.635 m.",
         "Any ball may be hit first.",
     ] {

@@ -601,7 +601,9 @@ class WasmFrame implements Frame {
     const given = errors.seed ?? 0;
     const seeds = (typeof given === "number" ? [given] : given).map((seed) => whole("seed", seed));
     const result = withPlay(play, (given) =>
-      checked(() => (sigmas ? frame.playNoisy(given, sigmas, BigUint64Array.from(seeds)) : frame.play(given))),
+      checked(() =>
+        sigmas ? frame.playNoisy(given, sigmas, BigUint64Array.from(seeds)) : frame.play(given),
+      ),
     );
     this.#state = undefined;
     this.#moves.push({ play: playedOf(play, result) });

@@ -130,6 +130,27 @@ test("contacts that cling are those of the play", () => {
   expect(() => frame.play({ strike: STRIKE, cling: twice })).toThrow(/^cling.contacts\[1\]: /);
 });
 
+test("with a seed for each player the errors of one do not depend on the other", () => {
+  const noise = engine.noisePresets.club!;
+  const first = (seed: number | readonly [number, number]) => {
+    const frame = engine.frame("practice", { seed: 7 });
+    frame.play({ strike: STRIKE, cue_ball: [0.6, 0.5] }, { noise, seed });
+    return frame.record.moves[0];
+  };
+  expect(first([3, 4])).toEqual(first([3, 5]));
+  expect(first([3, 4])).toEqual(first(3));
+  expect(first([4, 3])).not.toEqual(first(3));
+  expect(() => first([3, -1])).toThrow(/^seed: /);
+});
+
+test("a frame has a text and a schema of its answers", () => {
+  const frame = engine.frame("nine-ball", { seed: 7 });
+  expect(frame.describe()).toMatch(/its centre may be put where y < 0.635 m/);
+  expect(frame.answerSchema()).toHaveProperty(
+    "properties.play.properties.strike.properties.azimuth_deg",
+  );
+});
+
 test("a cue ball in hand is refused outside its region, whose box is known", () => {
   const pool = engine.frame("nine-ball");
   expect(pool.handBounds).toEqual([
