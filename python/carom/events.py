@@ -71,7 +71,7 @@ class _Impact(_Event):
 
     __slots__ = ()
 
-    # Traces of early engines lack what stands here, in this class and below.
+    # Traces of early engines lack these keys.
     _DEFAULTS: ClassVar = {"impulses": (), "points": ()}
 
     impulses: Sequence[list[float]]
