@@ -63,6 +63,46 @@ for (const [name, viewport, colorScheme] of [
     expect("play" in machine).toBe(true);
   });
 
+  test(`a foul of one's own is shown before a machine plays next, on a ${name}`, async ({
+    open,
+  }) => {
+    // Seen: the status went from "Shot 2 of 2, Player 1" to "Shot 3 of 3, Machine 2" without the word Foul.
+    const page = await open({ viewport, colorScheme });
+    await begin(page, { machine: "level-2" });
+    const ruling = page.locator("#game-bar .ruling");
+    await foul(page);
+    await ruling.filter({ hasText: "Foul by Ann" }).waitFor();
+    const shown = Date.now();
+    await expect.poll(() => moves(page)).toBe(2);
+    expect(Date.now() - shown).toBeGreaterThan(1000);
+    await page.evaluate(() => {
+      const { store } = window.carom!;
+      if (store.session.mode === "replay") store.setSession({ mode: "aim", trace: null });
+    });
+    expect(await ruling.innerText()).not.toContain("Ann");
+  });
+
+  test(`a tap on the table lets the machine play after a foul, on a ${name}`, async ({ open }) => {
+    const page = await open({ viewport, colorScheme, reducedMotion: "reduce" });
+    await begin(page, { machine: "level-2" });
+    await page.evaluate(() => {
+      // The time to read does not end by itself.
+      const wait = window.setTimeout;
+      const held = (run: TimerHandler, ms?: number) => (ms === 1800 ? 0 : wait(run, ms));
+      Object.assign(window, { setTimeout: held });
+    });
+    await foul(page);
+    await page.locator("#game-bar .ruling", { hasText: "Foul by Ann" }).waitFor();
+    await settled(page);
+    const table = (await page.locator("#table").boundingBox())!;
+    await expect
+      .poll(async () => {
+        await page.mouse.click(table.x + table.width / 2, table.y + 0.3 * table.height);
+        return moves(page);
+      })
+      .toBeGreaterThan(1);
+  });
+
   test(`only the aim line and two directions are shown in a game, on a ${name}`, async ({
     open,
   }) => {

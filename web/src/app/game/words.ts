@@ -95,6 +95,14 @@ export function rulingInWords(step: PlayedMove, names: Pair<string>): string {
   return paragraph(said.map(sentence));
 }
 
+/** Whether a ruling tells more than that the shot was legal, so that a player wants to read it. */
+export function isNotable({ move, ruling, after }: PlayedMove): boolean {
+  if (!("play" in move) || !ruling.legal || after.request.kind !== "shot") return true;
+  const called = move.play.call?.kind;
+  const isDeclared = called === "safety" || called === "push-out";
+  return isDeclared || ruling.spotted.length > 0 || ruling.racked;
+}
+
 function moveInWords({ move, player, ruling, potted }: PlayedMove, names: Pair<string>): string {
   const name = names[player];
   if ("concede" in move) return t("ruling.concedes", { name });

@@ -1,10 +1,10 @@
-import { describe, expect, test } from "vitest";
+import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import type { Decision, FrameRecord, PlayerOptions } from "../../../src/engine/index.ts";
 import type { Store } from "../../../src/app/document/store.ts";
 import { lastByMachine, reasonOf } from "../../../src/app/game/machine/reason.ts";
 import { reasonInWords } from "../../../src/app/game/machine/explain.ts";
 import { LEVELS, machineNoise } from "../../../src/app/game/machine/levels.ts";
-import { type Decider, Turns } from "../../../src/app/game/machine/turns.ts";
+import { type Decider, READING, Turns } from "../../../src/app/game/machine/turns.ts";
 import { canConcede, playDecision, playShot } from "../../../src/app/game/play.ts";
 import { canAim, standing } from "../../../src/app/game/turn.ts";
 import { progressOf } from "../../../src/app/game/progress.ts";
@@ -37,16 +37,20 @@ interface Machine {
   readonly turns: Turns;
 }
 
-/** @param most Moves after which the machine answers no more. */
-function machineIn(store: Store, most = Infinity): Machine {
+/**
+ * @param most Moves after which the machine answers no more.
+ * @param reading For how long a ruling is shown, ms.
+ */
+function machineIn(store: Store, most = Infinity, reading = 0): Machine {
   const thinker = new Here();
-  const turns = new Turns(store, engine, () => Promise.resolve(thinker), {
-    play: (decision) => {
+  const listener = {
+    play: (decision: Decision) => {
       if (store.document.game!.moves.length >= most) return;
       playDecision(store, context, decision, () => undefined);
     },
     changed: () => undefined,
-  });
+  };
+  const turns = new Turns(store, engine, () => Promise.resolve(thinker), listener, reading);
   turns.consider();
   return { thinker, turns };
 }
@@ -114,6 +118,71 @@ describe("a machine", () => {
     expect(made(store)).toBe(1);
     store.setSession({ mode: "aim", trace: null });
     await until(() => made(store) > 1);
+  });
+
+  describe("after a ruling", () => {
+    // Seen: a foul of one's own was never shown, because the machine played in the same moment.
+    beforeEach(() => {
+      vi.useFakeTimers();
+    });
+    afterEach(() => {
+      vi.useRealTimers();
+    });
+    const soft = { speed: 0.3, azimuth_deg: 180 };
+    const pass = (ms: number) => vi.advanceTimersByTimeAsync(ms);
+
+    test("that tells a foul it waits for as long as two sentences take to read", async () => {
+      const store = begun("nine-ball", SECOND);
+      machineIn(store, Infinity, READING);
+      store.strike(soft, "aim");
+      playShot(store, context, (trace) => store.setSession({ mode: "replay", trace }));
+      await pass(10 * READING);
+      expect(made(store)).toBe(1);
+      store.setSession({ mode: "aim", trace: null });
+      await pass(1500);
+      expect(made(store)).toBe(1);
+      await pass(READING - 1500);
+      expect(made(store)).toBe(2);
+    });
+
+    test("that tells a foul it plays at once when the user taps", async () => {
+      const store = begun("nine-ball", SECOND);
+      const { turns } = machineIn(store, Infinity, READING);
+      store.strike(soft, "aim");
+      playShot(store, context, () => undefined);
+      await pass(100);
+      expect([made(store), turns.waiting]).toEqual([1, "reading"]);
+      turns.readOn();
+      expect(made(store)).toBe(2);
+    });
+
+    test("that tells its own choice it waits too", async () => {
+      const store = begun("snooker", SECOND);
+      const { thinker } = machineIn(store, Infinity, READING);
+      const choose = thinker.choose.bind(thinker);
+      thinker.choose = (record, options) =>
+        made(store) === 1
+          ? Promise.resolve({ play: null, choice: "play-on" } as Decision)
+          : choose(record, options);
+      store.strike(soft, "aim");
+      playShot(store, context, () => undefined);
+      await pass(READING);
+      expect(made(store)).toBe(2);
+      await pass(1500);
+      expect(made(store)).toBe(2);
+      await pass(READING - 1500);
+      expect(made(store)).toBe(3);
+    });
+
+    test("that the shot was legal it does not wait", async () => {
+      const store = begun("eight-ball", { ...SECOND, options: { seed: 1 } });
+      machineIn(store, 2, READING);
+      playShot(store, context, () => undefined);
+      const [step] = standing(store, engine)!.steps;
+      expect([step!.ruling.legal, step!.after.request]).toMatchObject([true, { player: 1 }]);
+      await pass(1);
+      expect(made(store)).toBe(2);
+    });
   });
 
   test("does not repeat what was taken back until the user lets it play", async () => {

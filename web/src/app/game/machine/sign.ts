@@ -40,12 +40,19 @@ export function mountMachine(root: HTMLElement, store: Store, context: Context):
     const request = standing(store, context.engine)?.frame.state.request;
     // A pressed button that disappears gives its focus to the table.
     if (root.contains(document.activeElement)) document.getElementById("table")?.focus();
-    root.hidden = waiting === null || !request || request.kind === "over";
+    const waits = waiting === "thinking" || waiting === "held";
+    root.hidden = !waits || !request || request.kind === "over";
     if (root.hidden || !request || request.kind === "over") return;
     const name = store.document.game!.setup.names[request.player];
     setText(text, t(waiting === "thinking" ? "machine.thinks" : "machine.held", { name }));
     stop.hidden = waiting !== "thinking";
     resume.hidden = waiting !== "held";
+  }
+  // Who has read the ruling taps the table or the ruling; a tap on Undo must not let the machine play.
+  for (const id of ["table", "game-bar"]) {
+    document.getElementById(id)!.addEventListener("pointerdown", ({ target }) => {
+      if (!(target as Element).closest("button, a, input, select")) turns.readOn();
+    });
   }
   store.subscribe((now, before) => {
     if (now.session.activity === before.session.activity) return;

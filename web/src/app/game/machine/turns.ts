@@ -6,10 +6,17 @@ import { errorText } from "../../common/refusals.ts";
 import { machineOf, type Game } from "../../document/game.ts";
 import type { Store } from "../../document/store.ts";
 import { standing } from "../turn.ts";
+import { isNotable } from "../words.ts";
 import { thinking } from "./levels.ts";
 
-/** What is waited for: a machine's decision, or the person who lets it play. */
-export type Waiting = "thinking" | "held" | null;
+/**
+ * What is waited for: a machine's decision, the person who lets it play, or the person who reads the last
+ * ruling.
+ */
+export type Waiting = "thinking" | "held" | "reading" | null;
+
+/** Time (ms) that a ruling is shown before a machine plays on: enough to read two short sentences. */
+export const READING = 1800;
 
 /** The part of a thinker that plays. */
 export type Decider = Pick<Thinker, "choose" | "stop">;
@@ -26,6 +33,7 @@ export class Turns {
   readonly #engine: Engine;
   readonly #decider: () => Promise<Decider>;
   readonly #listener: TurnsListener;
+  readonly #time: number;
   /** The moves of the game that is thought about. */
   #moves: Game["moves"] | null = null;
   #decision: Decision | null = null;
@@ -33,17 +41,23 @@ export class Turns {
   /** Whether a question waits for its answer. */
   #searching = false;
   #playing = false;
+  /** The moves whose last ruling was shown long enough. */
+  #read: Game["moves"] | null = null;
+  #reading: ReturnType<typeof setTimeout> | undefined;
 
+  /** @param time For how long (ms) a ruling is shown before a machine plays on. */
   constructor(
     store: Store,
     engine: Engine,
     decider: () => Promise<Decider>,
     listener: TurnsListener,
+    time = READING,
   ) {
     this.#store = store;
     this.#engine = engine;
     this.#decider = decider;
     this.#listener = listener;
+    this.#time = time;
     store.subscribe(() => this.consider());
   }
 
@@ -65,12 +79,40 @@ export class Turns {
       void this.#end();
       this.#moves = game.moves;
       this.#decision = null;
+      this.#stopReading();
       // After an undo the machine would at once repeat what was taken back.
       if (this.#store.redoLabel !== null) this.#wait("held");
       else void this.#think(game, level);
     } else if (this.#decision && this.#store.session.mode === "aim") {
-      this.#play(this.#decision);
+      if (this.#isRead()) this.#play(this.#decision);
+      else this.#wait("reading");
     }
+    // A replay hides the ruling: the time to read it begins again.
+    if (this.#store.session.mode === "replay" || !level) this.#stopReading();
+    else this.#startReading();
+  }
+
+  /** Ends the time to read the last ruling: the machine may play at once. */
+  readOn(): void {
+    if (this.#reading === undefined) return;
+    this.#stopReading();
+    this.#read = this.#moves;
+    this.consider();
+  }
+
+  #isRead(): boolean {
+    const last = standing(this.#store, this.#engine)?.steps.at(-1);
+    return this.#read === this.#moves || !last || !isNotable(last);
+  }
+
+  #startReading(): void {
+    if (this.#reading !== undefined || this.#isRead()) return;
+    this.#reading = setTimeout(() => this.readOn(), this.#time);
+  }
+
+  #stopReading(): void {
+    clearTimeout(this.#reading);
+    this.#reading = undefined;
   }
 
   /** Lets a machine play that waits after an undo. */
