@@ -54,6 +54,8 @@ async function start(): Promise<void> {
   viewer.resize();
   scene.update();
   viewer.render();
+  // The texts that the parts make at once already name the pockets as the picture shows them.
+  followTurn(store, viewer);
   // The parts are mounted while another process draws the first picture.
   mountParts();
   first.begin(store, context);

@@ -7,6 +7,7 @@ import { mountLines } from "./analyse/panel.ts";
 import { mountPots } from "./analyse/pot.ts";
 import { mountTree } from "./analyse/tree-panel.ts";
 import type { Context } from "./common/context.ts";
+import { mountPresses } from "./common/press.ts";
 import { mountDock, mountTake } from "./aim/dock.ts";
 import { mountBar } from "./game/bar.ts";
 import { mountGame } from "./game/panel.ts";
@@ -50,6 +51,7 @@ export function place(id: string): HTMLElement {
  */
 export function mountPage(store: Store, context: Context, welcome: boolean): () => void {
   let openHelp = (): void => undefined;
+  mountPresses(document);
   mountTheme(store, context);
   const openTab = mountTabs(place("tabs"), store);
   mountEntrances(place("entrances"), store);

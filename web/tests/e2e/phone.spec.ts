@@ -234,3 +234,97 @@ test("a finger drags a ball from the tray onto the table", async ({ open }) => {
   const [x, y] = (await shotOf(page)).balls.find(({ id }) => id === "5")!.position;
   expect(Math.hypot(x - 0.635, y - 2)).toBeLessThan(0.01);
 });
+
+test("a drag of 3 to 9 pixels turns the aim by as much as the finger turns, and never to the finger", async ({
+  open,
+}) => {
+  // Seen: nine pixels were a tap, and the aim jumped from 19.8° to 26.0°.
+  const page = await open(TOUCH);
+  const touch = await finger(page);
+  const azimuth = async () => (await shotOf(page)).strike!.azimuth_deg!;
+  const [x, y] = (await shotOf(page)).balls[0]!.position;
+  for (const pixels of [3, 6, 9]) {
+    await page.evaluate(() => window.carom!.store.strike({ azimuth_deg: 110 }, "aim"));
+    await settled(page);
+    const from = await onPage(page, 1.1, 1.1);
+    await touch.down(from);
+    await touch.move({ x: from.x, y: from.y - pixels });
+    await settled(page);
+    await touch.up();
+    await settled(page);
+    const place = (spot: Spot) =>
+      page.evaluate(({ x: u, y: v }) => window.carom!.viewer.pick(u, v).point, spot);
+    const [a, b] = [(await place(from))!, (await place({ x: from.x, y: from.y - pixels }))!];
+    const angle = ([u, v]: readonly number[]) => (Math.atan2(v! - y, u! - x) * 180) / Math.PI;
+    const turned = (await azimuth()) - 110;
+    expect(Math.abs(turned), `${pixels} px`).toBeGreaterThan(0);
+    expect(Math.abs(turned - (angle(b) - angle(a))), `${pixels} px`).toBeLessThan(2.6);
+  }
+});
+
+test("a drag that begins 11 pixels from the lesson's ball turns the aim, and Undo brings the lesson back after a ball was moved", async ({
+  open,
+}) => {
+  // Seen: the 9 was moved, the lesson was over for good, and Undo did not bring it back.
+  const page = await open({ ...TOUCH, firstSteps: true });
+  const touch = await finger(page);
+  const outcome = page.locator("#outcome");
+  await outcome.filter({ hasText: "Pot the 9" }).waitFor();
+  const { balls } = await shotOf(page);
+  // The pocket of the lesson pulses, so that the picture never settles.
+  const drawn = () =>
+    page.evaluate(
+      () => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))),
+    );
+  const drag = async (from: Spot, by: number) => {
+    await touch.down(from);
+    for (let k = 1; k <= 5; k += 1) {
+      await touch.move({ x: from.x, y: from.y + (by * k) / 5 });
+      await drawn();
+    }
+    await touch.up();
+    await drawn();
+  };
+  const nine = await ballSpot(page, "9");
+  const before = (await shotOf(page)).strike!.azimuth_deg;
+  await drag({ x: nine.x + 11, y: nine.y }, 40);
+  expect((await shotOf(page)).balls).toEqual(balls);
+  expect((await shotOf(page)).strike!.azimuth_deg).not.toBe(before);
+  expect(await outcome.textContent()).toContain("Pot the 9");
+
+  await drag(nine, 40);
+  expect((await shotOf(page)).balls).not.toEqual(balls);
+  await page.getByText("The first steps wait: Undo brings them back.").waitFor();
+  expect(await page.getByRole("region", { name: "First steps" }).isVisible()).toBe(false);
+  await page.evaluate(() => window.carom!.store.undo());
+  await outcome.filter({ hasText: "Pot the 9" }).waitFor();
+  expect(await page.getByRole("region", { name: "First steps" }).isVisible()).toBe(true);
+  expect(await page.evaluate(() => localStorage.getItem("carom-first-steps"))).toBeNull();
+});
+
+for (const viewport of [PHONE, { width: 1280, height: 800 }]) {
+  test(`a tap on a ball aims at it and tells what a tap on a pocket does at ${viewport.width}×${viewport.height}`, async ({
+    open,
+  }) => {
+    // Seen: the ball got a ring, the cue did not move, and nothing told how to go on.
+    const page = await open({ viewport, hasTouch: true });
+    const spot = await ballSpot(page, "1");
+    await page.touchscreen.tap(spot.x, spot.y);
+    await settled(page);
+    const { balls, strike } = await shotOf(page);
+    const place = (id: string) => balls.find((ball) => ball.id === id)!.position;
+    const [x, y] = place("cue");
+    const [u, v] = place("1");
+    const wanted = (Math.atan2(v - y, u - x) * 180) / Math.PI;
+    expect(strike!.azimuth_deg).toBeCloseTo(wanted, 3);
+    const outcome = page.locator("#outcome");
+    expect(await outcome.textContent()).toContain("Tap a pocket to aim ball 1 at it.");
+    const pocket = await onPage(page, 0, 2.54, 0);
+    await page.touchscreen.tap(pocket.x + 4, pocket.y + 4);
+    await outcome.filter({ hasText: /^Ball 1 to the .* pocket/ }).waitFor();
+    // The pot stays when its ball is tapped again.
+    await page.touchscreen.tap(spot.x, spot.y);
+    await settled(page);
+    expect(await outcome.textContent()).toMatch(/^Ball 1 to the/);
+  });
+}

@@ -97,6 +97,46 @@ for (const [name, viewport] of [
   });
 }
 
+for (const [name, viewport] of [
+  ["phone", PHONE],
+  ["desktop", WIDE],
+] as const) {
+  test(`the first press on a ball of the tray counts after a tap on the photo, on a ${name}`, async ({
+    open,
+  }) => {
+    // Seen: the eight was pressed, nothing happened, and the next tap made the black ball the cue ball.
+    const page = await open({ viewport, hasTouch: name === "phone" });
+    const dialog = await openDialog(page);
+    await choosePhoto(dialog);
+    await dialog.getByText("0 of 6").waitFor();
+    const press = async (x: number, y: number) => {
+      if (name === "phone") await page.touchscreen.tap(x, y);
+      else await page.mouse.click(x, y);
+    };
+    const tap = async (pixel: Point) => {
+      const [[x, y]] = (await places(dialog, [pixel])) as [Point];
+      await press(x, y);
+    };
+    for (const place of marks.places) await tap(project(camera, place)!);
+    await dialog.getByText("Tap the middle of the cue ball").waitFor();
+    const placed: string[] = [];
+    for (const [id, { position }] of [
+      ["8", balls[1]!],
+      ["3", balls[2]!],
+    ] as const) {
+      const chip = dialog.locator(".photo-tray").getByRole("radio", { name: `ball ${id}` });
+      await chip.scrollIntoViewIfNeeded();
+      const box = (await chip.boundingBox())!;
+      await press(box.x + box.width / 2, box.y + box.height / 2);
+      await dialog.getByText(`Tap the middle of ball ${id}`).waitFor();
+      await tap(project(camera, [...position, RADIUS])!);
+      placed.push(id);
+    }
+    await dialog.getByRole("button", { name: "Use this layout" }).click();
+    expect((await shotOf(page)).balls.map(({ id }) => id)).toEqual(placed);
+  });
+}
+
 test("a file that is not a photo is refused with a sentence, and the work is kept", async ({
   open,
 }) => {

@@ -506,3 +506,60 @@ test("both names of a game are in one line at 844×390", async ({ open }) => {
   expect(tops.length).toBeGreaterThan(1);
   expect(Math.max(...tops) - Math.min(...tops)).toBeLessThan(12);
 });
+
+for (const [name, viewport] of [
+  ["desktop", WIDE],
+  ["phone", PHONE],
+] as const) {
+  test(`the aim at a wrong ball warns before the shot, on a ${name}`, async ({ open }) => {
+    // Seen: "Ball 5: three-quarter ball" while ball 2 was on, without a word.
+    const page = await open({ viewport, reducedMotion: "reduce" });
+    await begin(page, { game: "nine-ball" });
+    const warning = page.locator(".dock .warning");
+    const first = await page.evaluate(() => {
+      const { store } = window.carom!;
+      for (let azimuth_deg = 80; azimuth_deg < 100; azimuth_deg += 0.2) {
+        store.strike({ azimuth_deg }, "aim", "seek");
+        const { outcome } = store.ghost.trace!;
+        const isDirect = outcome.rails_before_first_contact.length === 0;
+        if (isDirect && outcome.first_contact !== null && outcome.first_contact !== "1") {
+          return outcome.first_contact;
+        }
+      }
+      return null;
+    });
+    expect(first).not.toBeNull();
+    const text = `A foul: ball ${first} would be hit first. Ball 1 is on.`;
+    await warning.filter({ hasText: text }).waitFor();
+    await page.evaluate(() => window.carom!.store.undo());
+    await settled(page);
+    expect(await warning.isVisible()).toBe(false);
+  });
+
+  test(`the score of a game without points names the players against each other, on a ${name}`, async ({
+    open,
+  }) => {
+    // Seen: "Player 1 – Machine 2", which reads as a score.
+    const page = await open({ viewport, reducedMotion: "reduce" });
+    await begin(page, { machine: "level-2" });
+    expect(await page.locator("#game-bar .score").innerText()).toMatch(/Ann\s+against\s+Machine 2/);
+  });
+
+  test(`the cue ball that is moved aside still breaks the rack, on a ${name}`, async ({ open }) => {
+    // Seen: the cue kept its direction, and the break from the side missed everything at 8 m/s.
+    const page = await open({ viewport, reducedMotion: "reduce" });
+    await begin(page, { game: "nine-ball" });
+    const [x, y] = (await shotOf(page)).balls.find(({ id }) => id === "cue")!.position;
+    const from = await onPage(page, x, y);
+    const to = await onPage(page, 0.25, 0.5);
+    await page.mouse.move(from.x, from.y);
+    await page.mouse.down();
+    await page.mouse.move(to.x, to.y, { steps: 6 });
+    await page.mouse.up();
+    await settled(page);
+    const moved = (await shotOf(page)).balls.find(({ id }) => id === "cue")!.position;
+    expect(Math.abs(moved[0] - 0.25)).toBeLessThan(0.03);
+    const first = await page.evaluate(() => window.carom!.store.ghost.trace!.outcome.first_contact);
+    expect(first).toBe("1");
+  });
+}

@@ -85,6 +85,43 @@ for (const [name, viewport] of [
   });
 }
 
+test("a shot of the list is visited by the first press after a comment is written", async ({
+  open,
+}) => {
+  // The comment is kept when it loses the focus, between press and release, and the list was made again.
+  const page = await open({ viewport: WIDE, reducedMotion: "reduce" });
+  await play(page, 66.8);
+  await play(page, 90);
+  await page.locator("#tab-tree").click();
+  const panel = page.locator("#panel-tree");
+  await panel.getByLabel("Comment").fill("safe");
+  await panel.locator(".node").first().click();
+  expect((await treeOf(page)).at).toBe(1);
+  expect((await rows(page)).at(-1)).toContain("safe");
+});
+
+test("pockets in the list of shots have the names of the picture when a link opens", async ({
+  open,
+}) => {
+  // Seen: "right side pocket" where the picture and the rest of the page said "bottom side".
+  const page = await open({ viewport: WIDE, reducedMotion: "reduce" });
+  await page.evaluate(() => window.carom!.store.aimAtPocket("9", "right", "pot"));
+  await page.getByRole("button", { name: "Shoot" }).click();
+  await page.getByRole("button", { name: "Back to aiming" }).click();
+  await page.locator("#tab-tree").click();
+  const named = page.locator("#panel-tree .node").first();
+  await named.filter({ hasText: "bottom side pocket" }).waitFor();
+  await page.waitForTimeout(600);
+  const hash = await page.evaluate(() => location.hash);
+  const other = await open({ viewport: WIDE, hash });
+  await other.locator("#tab-tree").click();
+  const there = other.locator("#panel-tree .node").first();
+  expect(await there.textContent()).toContain("bottom side pocket");
+  // The table stands upright: the names of the list follow.
+  await other.setViewportSize(PHONE);
+  await there.filter({ hasText: "right side pocket" }).waitFor({ state: "attached" });
+});
+
 test("a link opens at the selected shot of its tree", async ({ open }) => {
   const page = await open({ viewport: WIDE, reducedMotion: "reduce" });
   await play(page, 66.8);

@@ -4,11 +4,14 @@ import type { Trace } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { focusWhileScrolling, h, icon, setText, shortened } from "../common/dom.ts";
 import { shownGuide } from "../document/guide.ts";
-import { raiseTheCue } from "../document/strike.ts";
+import { azimuthToBall, raiseTheCue } from "../document/strike.ts";
+import { azimuthOf } from "../document/strike-angles.ts";
+import { wrongBall } from "../game/guide/foul.ts";
 import { guideText } from "../game/guide/words.ts";
 import { canAim } from "../game/turn.ts";
 import type { Store } from "../document/store.ts";
-import { obstruction, summary } from "../common/words.ts";
+import { ballName, obstruction, summary } from "../common/words.ts";
+import { isObjectBall } from "../pot/aim.ts";
 import { firstContact } from "../pot/contact.ts";
 import { hitText, lockText } from "../pot/words.ts";
 import { drawFace, spokenOffset } from "./face.ts";
@@ -72,18 +75,23 @@ export function mountDock(
     const aim = lock && trace ? lockText(lock, contact) : "";
     const hit = !lock && contact ? hitText(contact) : "";
     const obstacle = trace ? obstruction(trace.outcome) : null;
+    const wrong = wrongBall(store, context.engine);
+    const warnings = paragraph([wrong ?? "", obstacle ?? ""]);
     const inWords = (seen: Trace) =>
       guide === "full"
         ? paragraph([aim, ...withHit(summary(seen), hit)])
         : aim || guideText(seen, guide);
-    setText(text, paragraph([attempt?.text ?? "", trace ? inWords(trace) : (error ?? "")]));
-    setText(warning, obstacle ?? "");
-    warning.hidden = obstacle === null;
+    setText(
+      text,
+      paragraph([attempt?.text ?? "", secondTap(store), trace ? inWords(trace) : (error ?? "")]),
+    );
+    setText(warning, warnings);
+    warning.hidden = warnings === "";
     remedy.hidden = obstacle === null || trace?.outcome.least_elevation_deg === null;
     button.setAttribute("aria-disabled", String(trace === null));
     clearTimeout(timer);
     timer = setTimeout(() => {
-      setText(spoken, paragraph([text.textContent, obstacle ?? ""]));
+      setText(spoken, paragraph([text.textContent, warnings]));
     }, REST);
   }
   // At most once per frame.
@@ -93,10 +101,19 @@ export function mountDock(
       now.session.mode === before.session.mode &&
       now.session.turn === before.session.turn &&
       now.session.lock === before.session.lock &&
+      now.session.selected === before.session.selected &&
       now.session.attempt === before.session.attempt;
     if (!isSame) context.loop.input(root, show);
   });
   show();
+}
+
+/** What a tap on a pocket does after one on a ball; empty if no ball is selected and aimed at. */
+function secondTap(store: Store): string {
+  const { selected, lock } = store.session;
+  if (lock || !isObjectBall(store, selected) || store.shot.geometry.pockets.length === 0) return "";
+  const isAimed = azimuthOf(store.document.shot.strike) === azimuthToBall(store, selected);
+  return isAimed ? t("pot.tap-pocket", { ball: ballName(selected) }) : "";
 }
 
 /** The outcome, whose first sentence tells what is hit, with how it is hit. */

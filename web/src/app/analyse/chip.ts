@@ -83,6 +83,7 @@ function matters(now: State, before: State): boolean {
     now.session.mode !== before.session.mode ||
     now.session.activity !== before.session.activity ||
     now.session.level !== before.session.level ||
+    now.session.turn !== before.session.turn ||
     now.session.lock !== before.session.lock
   );
 }

@@ -3,6 +3,7 @@
 import type { BallInfo } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
+import { changeUnpressed } from "../common/press.ts";
 import { ballName, pocketName } from "../common/words.ts";
 import type { Store } from "../document/store.ts";
 import { Desk } from "./desk/client.ts";
@@ -131,9 +132,20 @@ function mountPlan(root: HTMLElement, store: Store, context: Context): void {
     status,
   );
 
+  let shown: readonly Leg[] = [];
+
+  function showLegs(legs: readonly Leg[]): void {
+    shown = legs;
+    changeUnpressed(list, () => list.replaceChildren(...legs.map(legItem)));
+  }
+
+  store.subscribe((now, before) => {
+    if (now.session.turn !== before.session.turn) showLegs(shown);
+  });
+
   function clear(): void {
     desk.cancel();
-    list.replaceChildren();
+    showLegs([]);
     setText(status, t("plan.hint"));
     chosen.forEach((select) => fill(select, objectBalls(store), t("plan.any")));
     const few = objectBalls(store).length;
@@ -147,13 +159,11 @@ function mountPlan(root: HTMLElement, store: Store, context: Context): void {
       setText(status, t("plan.no-order"));
       return;
     }
-    list.replaceChildren();
+    showLegs([]);
     setText(status, t("plan.searching"));
-    let shown: readonly Leg[] = [];
     desk.ask(job, {
       part: ({ legs, met, count }) => {
-        if (legs.length !== shown.length) list.replaceChildren(...legs.map(legItem));
-        shown = legs;
+        if (legs.length !== shown.length) showLegs(legs);
         if (count > 0) {
           const [low, high] = interval(met, count).map(percent) as [string, string];
           setText(

@@ -6,6 +6,7 @@ import ThinkerWorker from "../../engine/thinker-worker.ts?worker&inline";
 import type { Context } from "../common/context.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
 import { gameName, levelName } from "../common/presets.ts";
+import { changeUnpressed } from "../common/press.ts";
 import type { State, Store } from "../document/store.ts";
 import { ellipseOf, leavePicture } from "./leave.ts";
 import { type Found, Lines } from "./lines.ts";
@@ -91,7 +92,7 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
     showSettings(position);
     if (!position) {
       found = null;
-      list.replaceChildren();
+      changeUnpressed(list, () => list.replaceChildren());
       setText(status, t(store.document.game ? "lines.no-shot" : "lines.no-game"));
     } else if (found?.done && found.position.key === position.key) {
       show(found);
@@ -108,7 +109,12 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
 
   function show(result: Found): void {
     found = result;
-    const { plays, done, elapsed } = result;
+    // While shots are found, the list changes under a pointer that presses one of them.
+    changeUnpressed(list, () => showFound(result));
+    countPots(result);
+  }
+
+  function showFound({ plays, done, elapsed }: Found): void {
     const focused = [...list.querySelectorAll(".line")].indexOf(document.activeElement!);
     hidePreview(store);
     list.replaceChildren(...plays.map((line, index) => lineItem(line, index, plays)));
@@ -125,7 +131,6 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
           ? t("lines.done", { samples, seconds: decimal(elapsed / 1000, 1) })
           : t("lines.searching"),
     );
-    countPots(result);
   }
 
   function lineItem(
@@ -241,6 +246,7 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
 
   store.subscribe((now, before) => {
     if (matters(now, before)) follow();
+    else if (found && now.session.turn !== before.session.turn) show(found);
   });
   new MutationObserver(follow).observe(root, { attributeFilter: ["hidden"] });
   follow();

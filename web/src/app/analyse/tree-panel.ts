@@ -3,6 +3,7 @@
 import { CaromError, type Engine, type Outcome } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText, svg, uniqueId } from "../common/dom.ts";
+import { changeUnpressed } from "../common/press.ts";
 import { errorText } from "../common/refusals.ts";
 import { inSlicesUnlessReplaced } from "../common/slices.ts";
 import { ballName, pocketName } from "../common/words.ts";
@@ -177,7 +178,10 @@ export function mountTree(
     else text.select();
   }
 
-  function show(): void {
+  /** The focus leaves the comment, which is then kept, while a shot of the list is pressed. */
+  const show = (): void => changeUnpressed(list, showNow);
+
+  function showNow(): void {
     const tree = treeNow();
     const { study } = store.document;
     setText(title, study ? t("tree.of-move", { number: study.move + 1 }) : t("tree.title"));
@@ -255,7 +259,8 @@ export function mountTree(
 
   store.subscribe((now, before) => {
     const [is, was] = [now.document, before.document];
-    if (is.tree !== was.tree || is.study !== was.study) show();
+    const isTurned = now.session.turn !== before.session.turn;
+    if (is.tree !== was.tree || is.study !== was.study || isTurned) show();
     else if (
       now.session.level !== before.session.level ||
       now.document.noise !== before.document.noise

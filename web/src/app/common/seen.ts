@@ -40,6 +40,11 @@ export type SeenRail = RailName | "top-left" | "top-right" | "bottom-left" | "bo
 
 let turn: Turn = 0;
 
+/** How the picture shows the table. Texts that are kept must be made again when it changes. */
+export function presentTurn(): Turn {
+  return turn;
+}
+
 /** Chooses how the picture shows the table. */
 export function setTurn(next: Turn): void {
   turn = next;

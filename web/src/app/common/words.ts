@@ -19,6 +19,11 @@ export function ballName(id: string): string {
   return BALLS.includes(id) ? named("ball", id)! : t("ball.other", { id });
 }
 
+/** The name of a ball that is hit: the ball `cue` is the white one while another ball is struck, as in carom. */
+export function objectName(id: string, { cue_ball: struck }: Pick<Outcome, "cue_ball">): string {
+  return id === "cue" && struck !== null && struck !== "cue" ? t("ball.white") : ballName(id);
+}
+
 /** Balls that have a name, not a number. */
 const BALLS: readonly string[] = [
   "cue",
@@ -79,7 +84,7 @@ export function summary(trace: Trace): string[] {
   if (outcome.miscue) said.push(t("outcome.miscue"));
   said.push(contact(outcome));
   for (const [id, pocket] of outcome.pocketed) {
-    const drop = { ball: ballName(id), pocket: pocketName(pocket) };
+    const drop = { ball: objectName(id, outcome), pocket: pocketName(pocket) };
     if (id !== cue) said.push(sentence(t("outcome.drops", drop)));
   }
   if (outcome.cue_ball_scratched) {
@@ -88,9 +93,13 @@ export function summary(trace: Trace): string[] {
       pocket ? t("outcome.scratch-in", { pocket: pocketName(pocket) }) : t("outcome.scratch"),
     );
   }
-  for (const id of outcome.off_table) said.push(sentence(t("outcome.off", { ball: ballName(id) })));
+  for (const id of outcome.off_table) {
+    said.push(sentence(t("outcome.off", { ball: objectName(id, outcome) })));
+  }
   for (const [id, over] of outcome.jumped) {
-    said.push(sentence(t("outcome.jumps", { ball: ballName(id), other: ballName(over) })));
+    said.push(
+      sentence(t("outcome.jumps", { ball: ballName(id), other: objectName(over, outcome) })),
+    );
   }
   const hop = cue === null ? 0 : highest(trace, cue);
   if (hop > REPORTED_HOP) {
@@ -107,7 +116,7 @@ function contact(outcome: Outcome): string {
   const count = outcome.rails_before_first_contact.length;
   if (outcome.first_contact === null)
     return count === 0 ? t("outcome.misses") : t("outcome.misses-after", { count });
-  const ball = ballName(outcome.first_contact);
+  const ball = objectName(outcome.first_contact, outcome);
   return count === 0 ? t("outcome.hits", { ball }) : t("outcome.hits-after", { ball, count });
 }
 

@@ -5,6 +5,8 @@ import { round4 } from "../common/angles.ts";
 import type { AimedShot } from "./document.ts";
 import { accepts, aimed } from "./file.ts";
 import type { Store } from "./store.ts";
+import { changed } from "./strike-angles.ts";
+import { azimuthAt, type Target, targetOf } from "./target.ts";
 import { gameName } from "../common/presets.ts";
 import { errorText } from "../common/refusals.ts";
 import { ballName } from "../common/words.ts";
@@ -76,22 +78,40 @@ export function rack(store: Store, engine: Engine, game: string, seed: number): 
   }
 }
 
+export interface Placing {
+  /** Whether the place keeps all its digits; otherwise it is rounded to 0.1 mm. */
+  readonly exact?: boolean;
+  /** At what the struck ball was aimed before it was moved; left out: at what it is aimed now. */
+  readonly target?: Target | null | undefined;
+}
+
 /**
- * Puts a ball elsewhere on the cloth, if the engine accepts the place.
- *
- * @param exact Whether the place keeps all its digits; otherwise it is rounded to 0.1 mm.
+ * Puts a ball elsewhere on the cloth, if the engine accepts the place. The struck ball keeps its target, and
+ * not its direction: a break from the side still meets the rack.
  */
 export function placeBall(
   store: Store,
   id: string,
   position: Point,
   group: string | null,
-  exact = false,
+  { exact = false, target }: Placing = {},
 ): boolean {
   const { shot } = store.document;
   const at: Point = exact ? position : [round4(position[0]), round4(position[1])];
   const balls = shot.balls.map((ball) => (ball.id === id ? { ...ball, position: at } : ball));
-  return store.apply({ shot: { ...shot, balls } }, t("change.move", { ball: ballName(id) }), group);
+  const strike = id === shot.strike.ball ? keptAim(store, at, target) : shot.strike;
+  const label = t("change.move", { ball: ballName(id) });
+  return store.apply({ shot: { ...shot, balls, strike } }, label, group);
+}
+
+/** The strike aimed at its target from another place. A pot that is solved is solved again by the store. */
+function keptAim(store: Store, at: Point, kept: Target | null | undefined): AimedShot["strike"] {
+  const { strike } = store.document.shot;
+  if (store.session.lock) return strike;
+  const target = kept === undefined ? targetOf(store) : kept;
+  const to = store.shot.balls.find((ball) => ball.id === target?.ball)?.position;
+  const azimuth = target && to ? azimuthAt(at, [to[0], to[1]], target.offset) : null;
+  return azimuth === null ? strike : changed(strike, { azimuth_deg: azimuth });
 }
 
 /**

@@ -15,13 +15,18 @@ export function turn(store: Store, degrees: number, group: string): void {
   store.strike({ azimuth_deg: wrap(azimuth + degrees) }, t("change.aim"), group);
 }
 
+/** The azimuth from the struck ball to the centre of a ball, degrees; null if it is the struck one. */
+export function azimuthToBall({ shot: { balls, struck } }: Store, id: string): number | null {
+  const to = balls.find((ball) => ball.id === id)?.position;
+  const from = struck === null ? undefined : balls[struck]?.position;
+  if (!to || !from || to === from) return null;
+  return azimuthTo([from[0], from[1]], [to[0], to[1]]);
+}
+
 /** Turns the cue to the centre of a ball. */
 export function aimAt(store: Store, id: string): void {
-  const to = store.shot.balls.find((ball) => ball.id === id)?.position;
-  const from =
-    store.shot.struck === null ? undefined : store.shot.balls[store.shot.struck]?.position;
-  if (!to || !from || to === from) return;
-  const azimuth = azimuthTo([from[0], from[1]], [to[0], to[1]]);
+  const azimuth = azimuthToBall(store, id);
+  if (azimuth === null) return;
   store.strike({ azimuth_deg: azimuth }, t("change.aim-at", { ball: ballName(id) }));
 }
 

@@ -115,7 +115,10 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
       document.game !== before.document.game || document.study !== before.document.study;
     if (isOtherGame || isOther) show();
     // The call follows the aim.
-    else if (document.game && document.shot !== before.document.shot) {
+    else if (
+      document.game &&
+      (document.shot !== before.document.shot || session.turn !== before.session.turn)
+    ) {
       context.loop.input(root, show);
     }
     if (session === before.session) return;
@@ -182,7 +185,8 @@ function pointsText(
 ): string {
   const points = `${scores[first]} : ${scores[second]}`;
   if (isForOne(game)) return `${scores[0]}`;
-  if (!race) return WITH_POINTS.has(game) ? points : "–";
+  // A dash would read as a score: "Player 1 – Machine 2".
+  if (!race) return WITH_POINTS.has(game) ? points : t("table.versus");
   const won = framesWon(race, request.kind === "over" ? request.winner : null);
   const frames = `${won[first]} : ${won[second]}`;
   return WITH_POINTS.has(game) ? `${frames} (${points})` : frames;

@@ -98,7 +98,11 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
   }
 
   store.subscribe((now, before) => {
-    if (now.document === before.document && now.session.mode === before.session.mode) return;
+    const isSame =
+      now.document === before.document &&
+      now.session.mode === before.session.mode &&
+      now.session.turn === before.session.turn;
+    if (isSame) return;
     context.loop.input(root, show);
   });
   show();
@@ -117,7 +121,7 @@ function fill<T extends string>(
   value: string,
   text: (value: T) => string = (same) => same,
 ): void {
-  const key = values.join();
+  const key = JSON.stringify(values.map((item) => [item, text(item)]));
   if (list.dataset.values !== key) {
     list.dataset.values = key;
     const option = (item: T) => h("option", { value: item }, text(item));

@@ -4,6 +4,7 @@ import { replay } from "../replay/control.ts";
 import type { Context } from "../common/context.ts";
 import { h, icon, setText } from "../common/dom.ts";
 import { gameName, levelName } from "../common/presets.ts";
+import { changeUnpressed } from "../common/press.ts";
 import { mountField } from "../form/field.ts";
 import { placeBall } from "../document/layout.ts";
 import { machineOf } from "../document/game.ts";
@@ -176,12 +177,14 @@ function mountSheet(root: HTMLElement, store: Store, context: Context): void {
         tried(game.variations?.[index]),
       ),
     );
-    list.replaceChildren(...items.reverse());
+    changeUnpressed(list, () => list.replaceChildren(...items.reverse()));
   };
   store.subscribe((now, before) => {
-    if (now.document.game !== before.document.game || now.session.mode !== before.session.mode) {
-      show();
-    }
+    const isSame =
+      now.document.game === before.document.game &&
+      now.session.mode === before.session.mode &&
+      now.session.turn === before.session.turn;
+    if (!isSame) show();
   });
   show();
 }

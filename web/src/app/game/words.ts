@@ -59,7 +59,7 @@ export function refereeText(english: string): string {
 }
 
 /** Which balls are on; empty if any ball may be hit first. */
-function onInWords(
+export function onInWords(
   on: readonly string[],
   state: FrameState["state"],
   lying: readonly string[],

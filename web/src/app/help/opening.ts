@@ -1,6 +1,7 @@
 /**
- * The first steps: two shots on the table, with a line beside Shoot that says what to do. They end when the
- * user does something else, and do not come again by themselves once they are done or skipped.
+ * The first steps: two shots on the table, with a line beside Shoot that says what to do. A ball that is moved
+ * makes them wait until it is back. They end when the user does something else, and do not come again by
+ * themselves once they are done or skipped.
  */
 
 import type { Trace } from "../../engine/index.ts";
@@ -42,15 +43,18 @@ export function mountOpening(
   let step = -1;
   let attempt: Attempt | null = null;
   let judged: Trace | null = null;
+  /** Whether the balls of the step were moved; Undo brings them back. */
+  let waits = false;
   let timer: ReturnType<typeof setTimeout> | undefined;
   const skip = h("button", { type: "button", class: "button", onclick: end }, t("steps.skip"));
   const region = h("section", { class: "steps", "aria-label": t("steps.title") }, skip);
   shoot.before(region);
 
   function show(): void {
-    region.hidden = step < 0;
+    const isShown = step >= 0 && !waits;
+    region.hidden = !isShown;
     // The button has the place of the chance.
-    document.body.toggleAttribute("data-steps", step >= 0);
+    document.body.toggleAttribute("data-steps", isShown);
   }
 
   /** @param isSet Whether the page shows the shot of the lesson already. */
@@ -62,6 +66,7 @@ export function mountOpening(
       store.setSession({ attempt: null, lock: null });
       store.apply({ shot: lesson.shot, game: null }, t("steps.title"));
     }
+    waits = false;
     attempt = attemptOf(lesson, said);
     store.setSession({ attempt, activity: "analyse" });
     step = next;
@@ -71,11 +76,21 @@ export function mountOpening(
   function end(): void {
     clearTimeout(timer);
     step = -1;
+    waits = false;
     if (store.session.attempt === attempt) store.setSession({ attempt: null });
     attempt = null;
     setFlag("localStorage", SEEN, true);
     show();
     document.getElementById("table")?.focus();
+  }
+
+  /** Hides the step while its balls lie elsewhere, and shows it again when they are back. */
+  function wait(now: boolean): void {
+    if (now === waits) return;
+    waits = now;
+    store.setSession({ attempt: now ? null : attempt });
+    show();
+    if (now) context.announce(t("steps.wait"));
   }
 
   function judge(trace: Trace): void {
@@ -97,14 +112,15 @@ export function mountOpening(
     if (step < 0) return;
     const { trace, playing, time, mode } = session;
     const isOther =
-      session.attempt !== attempt ||
+      session.attempt !== (waits ? null : attempt) ||
       session.activity !== "analyse" ||
-      now.game !== null ||
-      now.shot.balls !== LESSONS[step]!.shot.balls;
+      now.game !== null;
     if (isOther && mode === "aim") {
       end();
       return;
     }
+    if (mode === "aim") wait(now.shot.balls !== LESSONS[step]!.shot.balls);
+    if (waits) return;
     if (!trace) {
       judged = null;
       clearTimeout(timer);

@@ -1,7 +1,7 @@
 /**
  * Mouse, pen and touch on the table. A drag on the cloth turns the cue, which clicks into pots; a drag of
  * a ball moves it, and a drag of the place where the cue ball stops changes the stroke. A tap on the cloth
- * aims there, a tap on a ball selects it, and a tap on a pocket then aims the ball at it. A press on the cue
+ * aims there, a tap on a ball aims at it, and a tap on a pocket then aims the ball at it. A press on the cue
  * and a pull shoot. A finger that rests has a loupe. With the free camera a drag on the cloth turns the
  * camera; the viewer handles that, several fingers, and the other buttons.
  */
@@ -11,11 +11,13 @@ import { dragStop, dropStop, stopOf } from "../analyse/stop.ts";
 import { aimAtPocket } from "../analyse/pot.ts";
 import { hidePreview } from "../analyse/preview.ts";
 import { removeBall } from "../document/layout.ts";
-import { FINE } from "../document/strike.ts";
+import { aimAt, FINE } from "../document/strike.ts";
+import { type Target, targetOf } from "../document/target.ts";
 import { azimuthOf } from "../document/strike-angles.ts";
 import { azimuthTo, sweep } from "../common/angles.ts";
 import type { Context } from "../common/context.ts";
 import { announceCall, tapBall, tapPocket } from "../game/calling.ts";
+import { canAim } from "../game/turn.ts";
 import { ballName } from "../common/words.ts";
 import { isObjectBall, turnTo } from "../pot/aim.ts";
 import { dragBall, isBeside } from "../layout/drag.ts";
@@ -24,8 +26,12 @@ import { Loupe } from "./loupe.ts";
 import { Stroke } from "./stroke.ts";
 import { t } from "../words/translate.ts";
 
-/** Movement (CSS pixels) below which a gesture is a tap; a finger moves more than a mouse. */
-const TAP_REACH = { mouse: 4, other: 10 };
+/**
+ * Movement (CSS pixels) below which a gesture is a tap. On the cloth it is small, because a tap there aims
+ * at the pointer and a drag turns the cue by as much as the pointer turns; on a ball or on a pocket that is
+ * meant a finger may slip further.
+ */
+const TAP_REACH = { cloth: 3, mouse: 4, finger: 10 };
 
 /** Degrees that the cue turns per pixel of a drag, with the camera behind the cue. */
 const DEGREES_PER_PIXEL = 0.1;
@@ -43,8 +49,14 @@ interface Drag {
   readonly type: string;
   readonly group: string;
   readonly start: { readonly x: number; readonly y: number };
-  /** Index of the ball under the pointer when the gesture began. */
+  /** Index of the ball at the pointer when the gesture began: a tap means it. */
   readonly ball: number | null;
+  /** Index of the ball that a drag moves: the pointer was on it, and not only near it. */
+  readonly held: number | null;
+  /** At what the held ball was aimed, if it is the struck one. */
+  readonly target: Target | null;
+  /** Movement below which the gesture is a tap, CSS pixels. */
+  readonly reach: number;
   /** From the pointer to the dragged ball's centre, m. */
   readonly grip: Point;
   /** Where the cue would point without snapping, degrees; null before it turns. */
@@ -87,7 +99,12 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
       viewer.controls = false;
       return;
     }
-    const center = ball === null || store.session.mode === "replay" ? null : ballAt(ball).position;
+    // A finger taps the ball near it, but moves only one that it is on: beside it, a drag turns the cue.
+    const held = ball === null ? null : viewer.pick(event.clientX, event.clientY).ball;
+    const isAiming = store.session.mode === "aim";
+    const center = held === null || !isAiming ? null : ballAt(held).position;
+    const stop = ball === null && point !== null && isAtStop(event, point);
+    const means = held !== null || stop || meansPocket(event);
     gestures += 1;
     drag = {
       pointer: event.pointerId,
@@ -95,16 +112,21 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
       group: `gesture ${gestures}`,
       start: { x: event.clientX, y: event.clientY },
       ball,
+      held,
+      target: isAiming && held !== null && held === store.shot.struck ? targetOf(store) : null,
+      reach: means
+        ? TAP_REACH[event.pointerType === "mouse" ? "mouse" : "finger"]
+        : TAP_REACH.cloth,
       grip: center && point ? [center[0] - point[0], center[1] - point[1]] : [0, 0],
       azimuth: null,
       last: { x: event.clientX, y: event.clientY, point },
-      stop: ball === null && point !== null && isAtStop(event, point),
+      stop,
       moved: false,
     };
     canvas.setPointerCapture(event.pointerId);
-    const turnsCamera = ball === null && store.view.camera === "orbit";
-    if (store.session.mode === "aim" && !turnsCamera) loupe.press(event);
-    viewer.controls = !drag.stop && (ball === null || store.session.mode === "replay");
+    const turnsCamera = held === null && store.view.camera === "orbit";
+    if (isAiming && !turnsCamera) loupe.press(event);
+    viewer.controls = !stop && (held === null || !isAiming);
   };
   canvas.addEventListener("pointerdown", press, { capture: true });
 
@@ -136,7 +158,7 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     if (drag?.pointer !== event.pointerId) return;
     loop.flush();
     if (!drag.moved) tap(drag, event);
-    else if (drag.ball !== null && isAway(event)) putAway(drag, drag.ball);
+    else if (drag.held !== null && isAway(event)) putAway(drag, drag.held);
     else if (drag.stop) {
       const { point } = pointOf(event);
       if (point) dropStop(store, context, point);
@@ -188,16 +210,15 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
 
   function move(held: Drag, event: PointerEvent): void {
     const { x, y } = held.start;
-    const reach = held.type === "mouse" ? TAP_REACH.mouse : TAP_REACH.other;
-    if (!held.moved && Math.hypot(event.clientX - x, event.clientY - y) < reach) return;
+    if (!held.moved && Math.hypot(event.clientX - x, event.clientY - y) < held.reach) return;
     if (store.session.mode === "replay") return;
     held.moved = true;
     if (held.stop) {
       const { point } = pointOf(event);
       if (point) dragStop(store, point);
-    } else if (held.ball === null) {
+    } else if (held.held === null) {
       if (store.view.camera !== "orbit") aim(held, event);
-    } else moveBall(held, held.ball, event);
+    } else moveBall(held, held.held, event);
   }
 
   /** Whether a point is at the place where the cue ball stops, which can be dragged. */
@@ -255,7 +276,8 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     delete canvas.dataset.away;
     const position: Point = [point[0] + held.grip[0], point[1] + held.grip[1]];
     store.setSession({ selected: id });
-    dragBall(store, id, position, held.group, store.session.fine || event.shiftKey);
+    const free = store.session.fine || event.shiftKey;
+    dragBall(store, id, position, held.group, { free, target: held.target });
   }
 
   /** Whether the pointer is beside the table, where a ball goes back to the tray. */
@@ -270,6 +292,12 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     removeBall(store, ballAt(index).id, held.group);
   }
 
+  /** Whether a tap here would aim the selected ball at a pocket, or call one. */
+  function meansPocket(event: PointerEvent): boolean {
+    if (!isObjectBall(store, store.session.selected)) return false;
+    return viewer.hit(event.clientX, event.clientY, event.pointerType).pocket !== null;
+  }
+
   /** Aims the selected ball at the tapped pocket; in a game, calls them too. */
   function aimAtTapped(pocket: PocketName | null): boolean {
     const { selected } = store.session;
@@ -282,12 +310,19 @@ export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: 
     return true;
   }
 
+  /** Aims at a tapped ball, and calls it where the game wants that; a pot that is solved stays. */
+  function aimAtTappedBall(id: string): void {
+    tapBall(store, context.engine, id);
+    const isSolved = store.session.lock?.ball === id;
+    if (!isSolved && isObjectBall(store, id) && canAim(store, context.engine)) aimAt(store, id);
+  }
+
   function tap(held: Drag, event: PointerEvent): void {
     const balls = store.session.trace?.shot.balls ?? store.shot.balls;
     if (held.ball !== null) {
       const { id } = balls[held.ball]!;
       store.setSession({ selected: id });
-      if (store.session.mode === "aim") tapBall(store, context.engine, id);
+      if (store.session.mode === "aim") aimAtTappedBall(id);
       return;
     }
     const { point, pocket } = viewer.hit(event.clientX, event.clientY, event.pointerType);

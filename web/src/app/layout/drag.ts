@@ -2,27 +2,28 @@
 
 import type { Point } from "../../engine/index.ts";
 import { bed } from "../../photo/index.ts";
-import { addBallAt, placeBall } from "../document/layout.ts";
+import { addBallAt, placeBall, type Placing } from "../document/layout.ts";
 import type { Store } from "../document/store.ts";
 import { snapped } from "./snap.ts";
 
 /** Gap (m) at which a dragged ball goes onto a contact: a fifth of a ball's radius. */
 const REACH = 0.006;
 
-/**
- * Moves a ball towards a place. Near a rail or another ball it goes exactly onto the contact.
- *
- * @param free Whether the ball stays where the pointer is, for gaps of a millimetre.
- */
+export interface Dragging extends Pick<Placing, "target"> {
+  /** Whether the ball stays where the pointer is, for gaps of a millimetre. */
+  readonly free?: boolean;
+}
+
+/** Moves a ball towards a place. Near a rail or another ball it goes exactly onto the contact. */
 export function dragBall(
   store: Store,
   id: string,
   wanted: Point,
   group: string,
-  free = false,
+  { free = false, target }: Dragging = {},
 ): boolean {
   const place = placeOf(store, id, wanted, free);
-  return placeBall(store, id, place, group, place !== wanted);
+  return placeBall(store, id, place, group, { exact: place !== wanted, target });
 }
 
 /** Puts a ball of the tray on the table. */

@@ -7,6 +7,7 @@ import { momentsOf, seek } from "./control.ts";
 import { mark } from "./kinds.ts";
 import { latest } from "./moments.ts";
 import type { Show } from "./state.ts";
+import { presentTurn } from "../common/seen.ts";
 import { ballName } from "../common/words.ts";
 import { eventInWords } from "./words.ts";
 import { decimal, t } from "../words/translate.ts";
@@ -40,6 +41,8 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
     ),
   );
   let shown: Trace | null = null;
+  /** The turn of the picture as which rails and pockets are named. */
+  let named = presentTurn();
   let filter: string | null = null;
   let current: readonly number[] = [];
   only.addEventListener("change", () => store.setSession({})); // notifies all listeners
@@ -68,14 +71,16 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
     const { id } = trace.shot.balls[ball]!;
     setText(onlyLabel, t("events.only", { ball: ballName(id) }));
     const wanted = only.checked ? id : null;
-    if (trace !== shown) fill(trace);
+    const turn = presentTurn();
+    const isSame = trace === shown && turn === named;
+    if (!isSame) fill(trace);
     const rows = body.rows;
-    if (trace !== shown || wanted !== filter) {
+    if (!isSame || wanted !== filter) {
       trace.events.forEach(({ balls }, i) => {
         rows[i]!.hidden = wanted !== null && !balls.includes(wanted);
       });
     }
-    [shown, filter] = [trace, wanted];
+    [shown, filter, named] = [trace, wanted, turn];
     const now = latest(momentsOf(trace), time)?.events ?? [];
     if (now === current) return;
     for (const index of current) rows[index]!.removeAttribute("aria-current");

@@ -121,6 +121,21 @@ export function isLocal(): boolean {
   return location.protocol === "file:";
 }
 
+/** The host of this page, if only this computer reaches it; null otherwise. */
+export function ownHost({
+  protocol,
+  hostname,
+}: Pick<Location, "protocol" | "hostname"> = location) {
+  if (protocol !== "http:" && protocol !== "https:") return null;
+  const isOwn =
+    hostname === "localhost" ||
+    hostname.endsWith(".localhost") ||
+    hostname.startsWith("127.") ||
+    hostname === "0.0.0.0" ||
+    hostname === "[::1]";
+  return isOwn ? hostname : null;
+}
+
 /** What a link carries, as text: any carom page opens it. */
 export function linkText(store: Store, engine: Engine, state: State = store.state): string {
   return fragment(engine, store.shot, state);

@@ -5,7 +5,7 @@ import { h, setText } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { standing, waitsForFriend } from "../game/turn.ts";
 import { other } from "../game/words.ts";
-import { isLocal, link, linkText } from "./address.ts";
+import { isLocal, link, linkText, ownHost } from "./address.ts";
 import { copy } from "./clipboard.ts";
 import { t } from "../words/translate.ts";
 
@@ -35,7 +35,9 @@ export function mountFriend(root: HTMLElement, store: Store, context: Context): 
   async function copyMove(): Promise<void> {
     const moved = move();
     if (moved !== "" && (await copy(moved))) {
-      context.announce(t(isLocal() ? "friend.copied-text" : "friend.copied"));
+      const host = ownHost();
+      if (host === null) context.announce(t(isLocal() ? "friend.copied-text" : "friend.copied"));
+      else context.announce(t("friend.copied-here", { host }));
       return;
     }
     address.hidden = false;

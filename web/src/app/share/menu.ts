@@ -6,7 +6,7 @@ import type { Context } from "../common/context.ts";
 import { type Child, h, icon, setText, uniqueId } from "../common/dom.ts";
 import { plainRecordOf, recordOf } from "../game/record.ts";
 import type { Store } from "../document/store.ts";
-import { isLocal, link, linkText } from "./address.ts";
+import { isLocal, link, linkText, ownHost } from "./address.ts";
 import { copy } from "./clipboard.ts";
 import { download } from "./download.ts";
 import { mountDrop, openButton } from "./files.ts";
@@ -108,13 +108,15 @@ function mountLink(
     download(`${address.value}\n`, "carom.txt"),
   );
   const none = h("p", { class: "hint" }, t(local ? "share.local" : "share.no-link"));
+  const host = ownHost();
+  const here = host !== null && h("p", { class: "hint" }, t("share.here", { host }));
   return {
-    section: section(t("share.link-heading"), label, address, button, local && save, none),
+    section: section(t("share.link-heading"), label, address, button, local && save, none, here),
     refresh: () => {
-      const here = local ? linkText(store, engine) : link(store, engine);
-      address.value = here ?? "";
-      address.hidden = button.hidden = here === null;
-      none.hidden = here !== null && !local;
+      const text = local ? linkText(store, engine) : link(store, engine);
+      address.value = text ?? "";
+      address.hidden = button.hidden = text === null;
+      none.hidden = text !== null && !local;
     },
   };
 }

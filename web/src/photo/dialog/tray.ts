@@ -8,6 +8,8 @@ export class Tray {
   readonly root: HTMLElement;
   readonly #choose: (id: string) => void;
   #ids: readonly string[] = [];
+  /** The button that is in view. */
+  #current: HTMLElement | null = null;
 
   constructor(choose: (id: string) => void) {
     this.#choose = choose;
@@ -19,40 +21,44 @@ export class Tray {
     this.root.addEventListener("keydown", (event) => this.#onKey(event));
   }
 
-  /** @param chosen - The ball that the next tap places, or that is selected. */
+  /**
+   * Updates the buttons. Those of the same balls stay: the dialog also shows itself between press and release
+   * of a button, when the photo loses the focus, and a button that is replaced then gets no click.
+   *
+   * @param chosen - The ball that the next tap places, or that is selected.
+   */
   show(ids: readonly string[], placed: ReadonlySet<string>, chosen: string | null): void {
-    this.#ids = ids;
-    const focused = this.root.contains(document.activeElement);
-    this.root.replaceChildren(
-      ...ids.map((id, index) => {
-        const isPlaced = placed.has(id);
-        const made = element(
-          "button",
-          {
-            type: "button",
-            class: "button chip",
-            role: "radio",
-            "aria-checked": String(id === chosen),
-            "aria-label": isPlaced ? fill(TEXTS.placed, { ball: ballText(id) }) : ballText(id),
-            "data-placed": isPlaced,
-            tabindex: id === (chosen ?? ids[0]) ? 0 : -1,
-          },
-          swatch(id, index),
-          short(id),
-        );
-        made.addEventListener("click", () => {
-          this.#choose(id);
-        });
-        return made;
-      }),
-    );
-    const current = this.root.querySelector<HTMLElement>('[tabindex="0"]');
-    if (focused) current?.focus();
-    // The page itself must not scroll.
-    if (current) {
-      const left = current.offsetLeft - this.root.offsetLeft;
-      this.root.scrollLeft = left - this.root.clientWidth / 2;
+    if (ids.join() !== this.#ids.join()) {
+      const focused = this.root.contains(document.activeElement);
+      this.root.replaceChildren(...ids.map((id, index) => this.#button(id, index)));
+      if (focused) this.root.querySelector<HTMLElement>("button")?.focus();
     }
+    this.#ids = ids;
+    ids.forEach((id, index) => {
+      const made = this.root.children[index]!;
+      const isPlaced = placed.has(id);
+      made.setAttribute("aria-checked", String(id === chosen));
+      const name = ballText(id);
+      made.setAttribute("aria-label", isPlaced ? fill(TEXTS.placed, { ball: name }) : name);
+      made.toggleAttribute("data-placed", isPlaced);
+      made.setAttribute("tabindex", id === (chosen ?? ids[0]) ? "0" : "-1");
+    });
+    const current = this.root.querySelector<HTMLElement>('[tabindex="0"]');
+    if (!current || current === this.#current) return;
+    this.#current = current;
+    if (this.root.contains(document.activeElement)) current.focus();
+    // The page itself must not scroll.
+    const left = current.offsetLeft - this.root.offsetLeft;
+    this.root.scrollLeft = left - this.root.clientWidth / 2;
+  }
+
+  #button(id: string, index: number): HTMLButtonElement {
+    const attributes = { type: "button", class: "button chip", role: "radio" };
+    const made = element("button", attributes, swatch(id, index), short(id));
+    made.addEventListener("click", () => {
+      this.#choose(id);
+    });
+    return made;
   }
 
   #onKey(event: KeyboardEvent): void {

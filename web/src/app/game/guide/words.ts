@@ -1,7 +1,7 @@
 /** The aimed shot in a sentence that does not tell its result. */
 
 import type { Trace } from "../../../engine/index.ts";
-import { ballName } from "../../common/words.ts";
+import { objectName } from "../../common/words.ts";
 import type { Guide } from "../../document/game.ts";
 import { firstContact } from "../../pot/contact.ts";
 import { cutText } from "../../pot/words.ts";
@@ -15,7 +15,7 @@ export function guideText(trace: Trace, guide: Exclude<Guide, "full">): string {
   if (outcome.rails_before_first_contact.length > 0) return t("guide.cushion");
   if (outcome.first_contact === null) return t("guide.nothing");
   const contact = firstContact(trace);
-  const ball = ballName(outcome.first_contact);
+  const ball = objectName(outcome.first_contact, outcome);
   return contact
     ? t("guide.aimed", { ball: capital(ball), how: cutText(contact) })
     : t("outcome.hits", { ball });

@@ -20,16 +20,23 @@ export function mountExplanation(root: HTMLElement, store: Store, context: Conte
   root.append(title, text);
   /** The moves of the game whose last shot is explained. */
   let shown: Game["moves"] | null = null;
+  /** What is said of it, with pockets as the picture shows them. */
+  let words = (): string => "";
 
   async function explain(game: Game, index: number): Promise<void> {
-    setText(text, t("reason.asking"));
+    words = () => t("reason.asking");
+    setText(text, words());
     const progress = standing(store, engine)!;
     try {
       const reason = await reasonOf(engine, game, progress, index, await thinkerOf(engine));
-      if (shown === game.moves) setText(text, reasonInWords(reason));
+      if (shown !== game.moves) return;
+      words = () => reasonInWords(reason);
+      setText(text, words());
     } catch (error) {
       if (!(error instanceof CaromError)) throw error;
-      if (shown === game.moves) setText(text, t("reason.none"));
+      if (shown !== game.moves) return;
+      words = () => t("reason.none");
+      setText(text, words());
     }
   }
 
@@ -53,7 +60,7 @@ export function mountExplanation(root: HTMLElement, store: Store, context: Conte
   store.subscribe((now, before) => {
     if (now.document.game !== before.document.game || now.session.mode !== before.session.mode) {
       show();
-    }
+    } else if (now.session.turn !== before.session.turn) setText(text, words());
   });
   show();
 }

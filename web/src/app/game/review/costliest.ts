@@ -4,6 +4,7 @@ import { CaromError, type ShotFile } from "../../../engine/index.ts";
 import type { Context } from "../../common/context.ts";
 import { h, setText } from "../../common/dom.ts";
 import { errorText } from "../../common/refusals.ts";
+import { changeUnpressed } from "../../common/press.ts";
 import { ballName, pocketName } from "../../common/words.ts";
 import { aimed } from "../../document/file.ts";
 import type { Game } from "../../document/game.ts";
@@ -31,6 +32,8 @@ export function mountCostliest(root: HTMLElement, store: Store, context: Context
   /** The moves of the frame that is looked through; null: none. */
   let sought: Game["moves"] | null = null;
   let shown: Game["moves"] | null = null;
+  /** Fills the list again. */
+  let fill = (): void => undefined;
 
   function stop(why: string): void {
     sought = null;
@@ -45,7 +48,8 @@ export function mountCostliest(root: HTMLElement, store: Store, context: Context
     if (!game || !progress) return;
     const { moves } = game;
     sought = shown = moves;
-    list.replaceChildren();
+    fill = () => list.replaceChildren();
+    fill();
     cancel.hidden = false;
     again.hidden = true;
     try {
@@ -58,7 +62,8 @@ export function mountCostliest(root: HTMLElement, store: Store, context: Context
       const worst = costs.filter(({ before, after }) => before - after > LEAST).slice(0, LISTED);
       stop(worst.length > 0 ? t("costs.hint") : t("costs.none"));
       again.hidden = true;
-      list.replaceChildren(...worst.map((cost) => entry(game, cost)));
+      fill = () => list.replaceChildren(...worst.map((cost) => entry(game, cost)));
+      changeUnpressed(list, fill);
     } catch (error) {
       if (!(error instanceof CaromError)) throw error;
       if (sought === moves) stop(errorText(error));
@@ -117,7 +122,8 @@ export function mountCostliest(root: HTMLElement, store: Store, context: Context
   store.subscribe((now, before) => {
     if (now.document.game !== before.document.game || now.session.mode !== before.session.mode) {
       show();
-    }
+    } else if (!root.hidden && now.session.turn !== before.session.turn)
+      changeUnpressed(list, fill);
   });
   show();
 }

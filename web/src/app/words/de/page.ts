@@ -56,7 +56,7 @@ export const page: Translation<typeof en.page> = {
   "steps.end":
     "Gut gemacht. Die besten Stöße jeder Lage nennt das Analysieren; unter Spielen spielt man gegen die Maschine, unter Üben übt man.",
   "steps.skip": "Später",
-
+  "steps.wait": "Die ersten Schritte warten: Rückgängig bringt sie zurück.",
   "language.label": "Sprache",
   "language.hint":
     "Die Seite lädt neu, mit demselben Stoß und Spiel. Frühere Änderungen lassen sich dann nicht mehr rückgängig machen.",

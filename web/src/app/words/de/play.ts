@@ -47,6 +47,7 @@ export const play: Translation<typeof en.play> = {
   "guide.aimed": "{ball}: {how}.",
   "guide.cushion": "Auf eine Bande gezielt.",
   "guide.nothing": "Auf keine Kugel gezielt.",
+  "guide.wrong-ball": "Ein Foul: Zuerst getroffen würde {ball}.",
   "guide.hidden": "Ohne Hilfe: Nur das Queue ist zu sehen.",
 
   "review.previous": "Stoß davor",
@@ -87,6 +88,8 @@ export const play: Translation<typeof en.play> = {
   "friend.send": "Meinen Zug senden",
   "friend.copied":
     "Link kopiert: Senden Sie ihn der anderen Person; sie spielt weiter und sendet einen zurück.",
+  "friend.copied-here":
+    "Link kopiert. Ihn öffnet nur dieser Computer, denn seine Adresse ist {host}: Was auf das # folgt, setzt Ihr Freund hinter die Adresse einer carom-Seite.",
   "friend.copied-text":
     "Text kopiert: Die andere Person setzt ihn hinter die Adresse einer carom-Seite, spielt weiter und sendet einen zurück.",
 

@@ -3,6 +3,7 @@ import type { Translation } from "../entry.ts";
 
 export const pot: Translation<typeof en.pot> = {
   "pot.aimed": "{ball} in die Tasche {pocket}: {how}, ± {margin}°.",
+  "pot.tap-pocket": "Tippen Sie auf eine Tasche: {ball} wird dorthin gezielt.",
   "pot.unsolved":
     "{ball} in die Tasche {pocket}: keine Linie mit diesem Stoß. Ändern Sie Tempo oder Effet.",
   "pot.cut": "{hit}, Schnittwinkel {degrees}°",

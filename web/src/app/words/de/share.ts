@@ -24,6 +24,8 @@ export const share: Translation<typeof en.share> = {
   "share.link": "Link",
   "share.copy-link": "Link kopieren",
   "share.link-copied": "Link kopiert.",
+  "share.here":
+    "Diesen Link öffnet nur dieser Computer, denn seine Adresse ist {host}. Andere brauchen eine Seite, die sie erreichen: Setzen Sie, was auf das # folgt, hinter deren Adresse.",
   "share.no-link":
     "Im Rahmen einer anderen Seite gibt es keinen Link: Kopieren Sie stattdessen die Stoßdatei.",
   "share.text": "Text zum Kopieren",

@@ -53,7 +53,7 @@ export const page = {
   "steps.end":
     "Well done. Best names the best shots of any position; under Play you play the machine, under Train you practise.",
   "steps.skip": "Skip",
-
+  "steps.wait": "The first steps wait: Undo brings them back.",
   "language.label": "Language",
   "language.hint":
     "The page loads again with the same shot and game. Earlier changes can then not be undone.",

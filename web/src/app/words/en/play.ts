@@ -45,6 +45,7 @@ export const play = {
   "guide.aimed": "{ball}: {how}.",
   "guide.cushion": "Aimed at a cushion.",
   "guide.nothing": "Aimed at no ball.",
+  "guide.wrong-ball": "A foul: {ball} would be hit first.",
   "guide.hidden": "Without a guide: only the cue is shown.",
 
   "review.previous": "Shot before",
@@ -84,6 +85,8 @@ export const play = {
   "friend.link": "My move as a link",
   "friend.send": "Send my move",
   "friend.copied": "Link copied: send it to your friend, who plays on and sends one back.",
+  "friend.copied-here":
+    "Link copied. It opens on this computer only, because its address is {host}: your friend puts what follows the # behind the address of a carom page.",
   "friend.copied-text":
     "Text copied: your friend puts it behind the address of a carom page, plays on and sends one back.",
 

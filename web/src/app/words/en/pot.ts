@@ -1,6 +1,7 @@
 /** Aiming by ball and pocket. */
 export const pot = {
   "pot.aimed": "{ball} to the {pocket} pocket: {how}, ± {margin}°.",
+  "pot.tap-pocket": "Tap a pocket to aim {ball} at it.",
   "pot.unsolved":
     "{ball} to the {pocket} pocket: no line with this stroke. Change the speed or the spin.",
   "pot.cut": "{hit}, a cut of {degrees}°",

@@ -35,6 +35,7 @@ export const game: Translation<typeof en.game> = {
   "table.shots": "击球记录",
   "table.called": " 指定：{call}。",
   "table.another": "再来一局",
+  "table.versus": "对",
   "table.innings": { other: "{count} 次击球轮" },
   "table.fouls": { other: "连续 {count} 次犯规" },
   "table.solids": "全色球",

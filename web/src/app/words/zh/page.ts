@@ -52,7 +52,7 @@ export const page: Translation<typeof en.page> = {
   "steps.again": "还没有。",
   "steps.end": "很好。“分析”会给出任何局面的最佳击球；在“对局”中与机器对打，在“练习”中练球。",
   "steps.skip": "跳过",
-
+  "steps.wait": "入门步骤暂停：撤销即可恢复。",
   "language.label": "语言",
   "language.hint": "页面会重新加载，保留同一杆球和比赛。之前的改动将不能再撤销。",
   "language.not-stored":

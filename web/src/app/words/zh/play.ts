@@ -47,6 +47,7 @@ export const play: Translation<typeof en.play> = {
   "guide.aimed": "{ball}：{how}。",
   "guide.cushion": "瞄准库边。",
   "guide.nothing": "没有瞄准任何球。",
+  "guide.wrong-ball": "犯规：会先碰到{ball}。",
   "guide.hidden": "无辅助：只显示球杆。",
 
   "review.previous": "上一杆",
@@ -81,6 +82,8 @@ export const play: Translation<typeof en.play> = {
   "friend.link": "我的一步的链接",
   "friend.send": "发送我的一步",
   "friend.copied": "链接已复制：发送给朋友，对方接着打，再发回一个链接。",
+  "friend.copied-here":
+    "已复制链接。它的地址是 {host}，只有这台电脑能打开：请对方把 # 及其后面的内容接在 carom 页面的地址之后。",
   "friend.copied-text": "文本已复制：朋友把它接在 carom 页面的地址之后，接着打，再发回一段文本。",
 
   "race.frames": "抢几局",

@@ -3,6 +3,7 @@ import type { Translation } from "../entry.ts";
 
 export const pot: Translation<typeof en.pot> = {
   "pot.aimed": "{ball}打{pocket}袋：{how}，± {margin}°。",
+  "pot.tap-pocket": "再点一个球袋，就瞄准把{ball}打进那里。",
   "pot.unsolved": "{ball}打{pocket}袋：这样出杆没有进球线路。请改变杆速或旋转。",
   "pot.cut": "{hit}，切角 {degrees}°",
   "pot.straight": "{hit}，直球",
