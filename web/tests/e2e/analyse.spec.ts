@@ -118,7 +118,7 @@ test("a chip beside Shoot has the chance of the aim, and opens What if", async (
   const page = await open({ viewport: WIDE });
   const chip = page.locator("#chance-chip:not([data-stale])");
   await chip.filter({ hasText: /^\d+ % club$/ }).waitFor();
-  expect(await chip.getAttribute("aria-label")).toMatch(/pot ball 9 in the top right pocket/);
+  expect(await chip.getAttribute("aria-label")).toMatch(/pot ball 9 in the bottom right pocket/);
   const box = await chip.boundingBox();
 
   // The number stays, dimmed, until the new one comes; without a pot the chip keeps its place.

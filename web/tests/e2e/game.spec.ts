@@ -262,9 +262,9 @@ test("taps call a ball and its pocket, and a shot without a call is refused", as
     await page.mouse.click(spot.x, spot.y);
     await settled(page);
   };
-  const azimuth = (await shotOf(page)).strike!.azimuth_deg;
   const five = (await shotOf(page)).balls.find(({ id }) => id === "5")!.position;
   await tap(five[0], five[1]);
+  const azimuth = (await shotOf(page)).strike!.azimuth_deg;
   await page.getByRole("button", { name: "Shoot" }).click();
   expect(await page.getByRole("alert").textContent()).toMatch(/No pocket is called/);
   const [x, y] = await page.evaluate(

@@ -87,7 +87,7 @@ for (const [name, viewport, colorScheme] of [
     await begin(page, { machine: "level-2" });
     await page.evaluate(() => {
       // The time to read does not end by itself.
-      const wait = window.setTimeout;
+      const wait = window.setTimeout.bind(window);
       const held = (run: TimerHandler, ms?: number) => (ms === 1800 ? 0 : wait(run, ms));
       Object.assign(window, { setTimeout: held });
     });
@@ -512,7 +512,7 @@ for (const [name, viewport] of [
   ["phone", PHONE],
 ] as const) {
   test(`the aim at a wrong ball warns before the shot, on a ${name}`, async ({ open }) => {
-    // Seen: "Ball 5: three-quarter ball" while ball 2 was on, without a word.
+    // Seen: "Ball 5: three-quarter ball" while ball 2 was on, and no text said so.
     const page = await open({ viewport, reducedMotion: "reduce" });
     await begin(page, { game: "nine-ball" });
     const warning = page.locator(".dock .warning");
@@ -542,7 +542,7 @@ for (const [name, viewport] of [
     // Seen: "Player 1 – Machine 2", which reads as a score.
     const page = await open({ viewport, reducedMotion: "reduce" });
     await begin(page, { machine: "level-2" });
-    expect(await page.locator("#game-bar .score").innerText()).toMatch(/Ann\s+against\s+Machine 2/);
+    expect(await page.locator("#game-bar .score").innerText()).toMatch(/Ann\s+vs\.\s+Machine 2/);
   });
 
   test(`the cue ball that is moved aside still breaks the rack, on a ${name}`, async ({ open }) => {

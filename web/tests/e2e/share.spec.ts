@@ -305,3 +305,20 @@ test("if the clipboard is forbidden the text is shown, selected", async ({ open 
   expect(await text.inputValue()).toMatch(/^import carom/);
   expect(await page.evaluate(() => getSelection()?.toString())).toMatch(/^import carom/);
 });
+
+for (const viewport of [
+  { width: 390, height: 844 },
+  { width: 1280, height: 800 },
+]) {
+  test(`a link to this computer tells that other computers cannot open it at ${viewport.width}×${viewport.height}`, async ({
+    open,
+  }) => {
+    // Seen: http://127.0.0.1:port/ was offered as a link to send, and no text said so.
+    const page = await open({ viewport });
+    await pressTool(page, "Share");
+    const dialog = page.locator("#share-dialog");
+    const hint = dialog.getByText("This link opens on this computer only");
+    await hint.waitFor();
+    expect(await hint.textContent()).toContain("127.0.0.1");
+  });
+}

@@ -167,7 +167,12 @@ function showScore(root: HTMLElement, { setup }: Game, state: FrameState): void 
       ...extras(state, player),
     );
   const order = setup.race?.turned ? ([1, 0] as const) : ([0, 1] as const);
-  const points = h("span", { class: "points" }, pointsText(setup, state, order));
+  const text = pointsText(setup, state, order);
+  // A dash would read as a score: "Player 1 – Machine 2".
+  const points =
+    text === ""
+      ? h("span", { class: "hint" }, t("table.versus"))
+      : h("span", { class: "points" }, text);
   const [first, second] = [side(order[0]), side(order[1])];
   const players = isForOne(state.game) ? [side(0), points] : [first, points, second];
   const { race } = setup;
@@ -177,7 +182,7 @@ function showScore(root: HTMLElement, { setup }: Game, state: FrameState): void 
   root.replaceChildren(...players, h("span", { class: "hint push" }, about));
 }
 
-/** Frames of a race, points of a frame, or both. */
+/** Frames of a race, points of a frame, or both; empty for a single frame without points. */
 function pointsText(
   { race }: Setup,
   { game, scores, request }: FrameState,
@@ -185,8 +190,7 @@ function pointsText(
 ): string {
   const points = `${scores[first]} : ${scores[second]}`;
   if (isForOne(game)) return `${scores[0]}`;
-  // A dash would read as a score: "Player 1 – Machine 2".
-  if (!race) return WITH_POINTS.has(game) ? points : t("table.versus");
+  if (!race) return WITH_POINTS.has(game) ? points : "";
   const won = framesWon(race, request.kind === "over" ? request.winner : null);
   const frames = `${won[first]} : ${won[second]}`;
   return WITH_POINTS.has(game) ? `${frames} (${points})` : frames;

@@ -12,7 +12,7 @@ import { DEPTH, STILL } from "../render/layers";
 import { clothColor, type Palette } from "../theme";
 import type { Geometry, Point } from "../types";
 import { markings, sights } from "./fittings";
-import { TableMaterials } from "./materials";
+import { DEEP, TableMaterials } from "./materials";
 import { outline } from "./outline";
 import { FLOOR, solid } from "./solid";
 import { raised, ring, roundedRectangle, Surface } from "./surface";
@@ -27,6 +27,7 @@ export class Table {
   readonly group = new Group();
   readonly #materials = new TableMaterials();
   readonly #depthMaterial = new MeshBasicMaterial({ colorWrite: false });
+  readonly #deepMaterial = new MeshBasicMaterial({ colorWrite: false, ...DEEP });
   #meshes: Mesh[] = [];
 
   /**
@@ -57,7 +58,7 @@ export class Table {
     this.#add(body.frame, materials.frame);
     this.#add(body.pockets, materials.leather);
     for (const part of [body.cloth, body.cushions, body.wood, body.frame, body.pockets]) {
-      const mesh = new Mesh(part, this.#depthMaterial);
+      const mesh = new Mesh(part, part === body.frame ? this.#deepMaterial : this.#depthMaterial);
       mesh.layers.set(DEPTH);
       mesh.renderOrder = -3;
       this.#meshes.push(mesh);
@@ -95,6 +96,7 @@ export class Table {
     this.#clear();
     this.#materials.dispose();
     this.#depthMaterial.dispose();
+    this.#deepMaterial.dispose();
   }
 
   /**

@@ -36,7 +36,7 @@ export const game: Translation<typeof en.game> = {
   "table.shots": "Stöße",
   "table.called": " Angesagt: {call}.",
   "table.another": "Noch ein Spiel",
-  "table.versus": "gegen",
+  "table.versus": "gg.",
   "table.innings": { one: "{count} Aufnahme", other: "{count} Aufnahmen" },
   "table.fouls": { one: "{count} Foul in Folge", other: "{count} Fouls in Folge" },
   "table.solids": "Volle",

@@ -33,7 +33,7 @@ export const game = {
   "table.shots": "Shots",
   "table.called": " Called: {call}.",
   "table.another": "Another frame",
-  "table.versus": "against",
+  "table.versus": "vs.",
   "table.innings": { one: "{count} inning", other: "{count} innings" },
   "table.fouls": { one: "{count} foul in a row", other: "{count} fouls in a row" },
   "table.solids": "solids",
