@@ -1,5 +1,6 @@
 //! The progress of a long task, shared between its threads and the thread that watches it.
 
+use core::fmt;
 use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// The finished part of a task, and whether a stop was requested.
@@ -7,13 +8,17 @@ use core::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 /// The functions of this crate take a `&Progress`. Another thread may read it while they work, and
 /// may stop them; a stopped task returns within some milliseconds. To run a task without watching
 /// it, pass `&Progress::default()`.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub struct Progress {
     stage: AtomicU64,
     done: AtomicU64,
     total: AtomicU64,
     stopped: AtomicBool,
+    watch: Option<Box<Watch>>,
 }
+
+/// What a task calls whenever it looks whether to stop.
+type Watch = dyn Fn(&Progress) + Send + Sync;
 
 /// One reading of a [`Progress`].
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -27,13 +32,23 @@ pub struct Reading {
 }
 
 impl Progress {
+    /// The progress of a task that calls `watch` whenever it looks whether to stop, many times a
+    /// second and from any of its threads. With it a program without a second thread can watch the
+    /// task.
+    pub fn watched_by(watch: impl Fn(&Self) + Send + Sync + 'static) -> Self {
+        Self { watch: Some(Box::new(watch)), ..Self::default() }
+    }
+
     /// Requests that the task ends early.
     pub fn stop(&self) {
         self.stopped.store(true, Ordering::Relaxed);
     }
 
-    /// Whether an early end was requested.
+    /// Whether an early end was requested. Called by the task.
     pub fn is_stopped(&self) -> bool {
+        if let Some(watch) = &self.watch {
+            watch(self);
+        }
         self.stopped.load(Ordering::Relaxed)
     }
 
@@ -59,6 +74,15 @@ impl Progress {
     }
 }
 
+impl fmt::Debug for Progress {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Progress")
+            .field("reading", &self.read())
+            .field("stopped", &self.stopped)
+            .finish_non_exhaustive()
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Progress, Reading};
@@ -79,5 +103,18 @@ mod tests {
         assert!(!progress.is_stopped());
         progress.stop();
         assert!(progress.is_stopped());
+    }
+
+    #[test]
+    fn a_task_can_be_stopped_from_its_own_thread() {
+        let progress = Progress::watched_by(|progress| {
+            if progress.read().done == 3 {
+                progress.stop();
+            }
+        });
+        while !progress.is_stopped() {
+            progress.add(1);
+        }
+        assert_eq!(progress.read().done, 3);
     }
 }

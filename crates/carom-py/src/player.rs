@@ -1,6 +1,6 @@
 //! `_core.Player`: decisions and analyses of the built-in players.
 
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use carom::Error;
 use carom::runner::Runner;
@@ -13,7 +13,7 @@ use pyo3::prelude::*;
 
 use crate::error::to_exception;
 use crate::options::{NoiseOptions, PerceptionOptions, count, numbers_of};
-use crate::progress;
+use crate::progress::{self, Interrupt};
 use crate::rules::Frame;
 
 /// `carom.player.thinking.Thinking`, read by attribute.
@@ -230,14 +230,13 @@ impl Player {
     ) -> PyResult<(T, bool)> {
         let runner = Runner::new(count(threads)).map_err(|e| to_exception(py, &e))?;
         let stops = self.stops.load(Ordering::Relaxed);
-        let stop = AtomicBool::new(false);
-        let is_stopped =
-            || stop.load(Ordering::Relaxed) || self.stops.load(Ordering::Relaxed) != stops;
+        let interrupt = Interrupt::default();
+        let is_stopped = || interrupt.is_asked() || self.stops.load(Ordering::Relaxed) != stops;
         let time = thinking.time.map(ThinkingTime::begin);
         let is_over = |_: Spent| is_stopped() || time.as_ref().is_some_and(ThinkingTime::is_over);
         let ThinkingOptions { simulations, rounds, .. } = *thinking;
         let budget = Budget { simulations, rounds, is_over: &is_over, runner };
-        let found = progress::until_interrupted(py, &stop, || search(&budget))?;
+        let found = progress::until_interrupted(py, &interrupt, || search(&budget))?;
         Ok((found, is_stopped()))
     }
 }

@@ -5,11 +5,14 @@
 //! by the same rules:
 //!
 //! - Results come in the order of the items and do not depend on the number of threads.
-//! - `None` means one thread for each core, in a pool that the whole program shares; 1 means the
-//!   calling thread; any other number gets a pool of its own, which lives as long as the runner
+//! - `None` means one thread for each core, in a pool that all runners of the process share; 1 means
+//!   the calling thread; any other number gets a pool of its own, which lives as long as the runner
 //!   and its clones. Make one runner for a task and use it for every round of that task.
-//! - If the number of threads is not available, the result is an [`Error::Input`] at `threads`. The
-//!   runner never uses another number instead.
+//! - If the operating system refuses threads, `None` works with as many as it allows, down to the
+//!   calling thread alone. For a number it is an [`Error::Input`] at `threads`.
+//! - After a fork the child has none of its parent's threads. A runner starts its own there when it
+//!   is first used, or works with as many as it gets.
+//! - Work that itself uses a runner of `None` shares the threads of the pool in which it runs.
 //! - Without the feature `parallel` all work runs on the calling thread, with the same results.
 //!
 //! ```
@@ -30,9 +33,19 @@ use alloc::vec::Vec;
 
 use crate::error::Error;
 
+#[cfg(feature = "parallel")]
+use self::pool::Pool;
+
+#[cfg(feature = "parallel")]
+mod pool;
+
 /// The most threads of a runner. Few machines have so many cores, and several times as many threads
 /// would exhaust the memory or the process table before any work is done.
 pub const MAX_THREADS: usize = 1024;
+
+/// The threads of all runners without a number of their own.
+#[cfg(feature = "parallel")]
+static CORES: Pool = Pool::of_cores();
 
 /// The threads that a task may use. A clone uses the same ones.
 #[derive(Clone, Debug, Default)]
@@ -45,13 +58,13 @@ enum Threads {
     /// The calling thread alone.
     #[cfg_attr(not(feature = "parallel"), default)]
     Calling,
-    /// One for each core, shared by the whole program.
+    /// One for each core, shared by the whole process.
     #[cfg(feature = "parallel")]
     #[default]
     Cores,
     /// A pool that was made for this runner.
     #[cfg(feature = "parallel")]
-    Own(Arc<rayon::ThreadPool>),
+    Own(Arc<Pool>),
 }
 
 impl Runner {
@@ -75,7 +88,7 @@ impl Runner {
 
     #[cfg(feature = "parallel")]
     fn with_pool(count: usize) -> Result<Self, Error> {
-        match rayon::ThreadPoolBuilder::new().num_threads(count).build() {
+        match Pool::start(count) {
             Ok(pool) => Ok(Self { threads: Threads::Own(Arc::new(pool)) }),
             Err(error) => Err(Error::input(
                 "threads",
@@ -96,9 +109,9 @@ impl Runner {
         match &self.threads {
             Threads::Calling => 1,
             #[cfg(feature = "parallel")]
-            Threads::Cores => rayon::current_num_threads(),
+            Threads::Cores => CORES.count(),
             #[cfg(feature = "parallel")]
-            Threads::Own(pool) => pool.current_num_threads(),
+            Threads::Own(pool) => pool.count(),
         }
     }
 
@@ -122,31 +135,46 @@ impl Runner {
         work: impl Fn(&mut W, I) -> T + Sync + Send,
     ) -> Vec<T> {
         match &self.threads {
-            Threads::Calling => {
-                let mut worker = make_worker();
-                items.into_iter().map(|item| work(&mut worker, item)).collect()
-            }
+            Threads::Calling => in_order(items, make_worker, work),
             #[cfg(feature = "parallel")]
-            Threads::Cores => in_parallel(items.into_iter().collect(), make_worker, work),
+            Threads::Cores => in_parallel(&CORES, items.into_iter().collect(), make_worker, work),
             #[cfg(feature = "parallel")]
-            Threads::Own(pool) => {
-                let items = items.into_iter().collect();
-                pool.install(|| in_parallel(items, make_worker, work))
-            }
+            Threads::Own(pool) => in_parallel(pool, items.into_iter().collect(), make_worker, work),
         }
     }
 }
 
-/// [`Runner::map`] in the pool of the calling thread or, if it belongs to none, in the pool that
-/// the whole program shares.
+/// [`Runner::map`] on the calling thread.
+fn in_order<I, W, T>(
+    items: impl IntoIterator<Item = I>,
+    make_worker: impl Fn() -> W,
+    work: impl Fn(&mut W, I) -> T,
+) -> Vec<T> {
+    let mut worker = make_worker();
+    items.into_iter().map(|item| work(&mut worker, item)).collect()
+}
+
+/// [`Runner::map`] in a pool, or on the calling thread if the pool has no threads.
 #[cfg(feature = "parallel")]
 fn in_parallel<I: Send, W, T: Send>(
+    pool: &Pool,
     items: Vec<I>,
     make_worker: impl Fn() -> W + Sync + Send,
     work: impl Fn(&mut W, I) -> T + Sync + Send,
 ) -> Vec<T> {
     use rayon::prelude::*;
-    items.into_par_iter().map_init(make_worker, work).collect()
+    // One item is not worth a change of threads.
+    if items.len() < 2 {
+        return in_order(items, make_worker, work);
+    }
+    let spread = |items: Vec<I>| items.into_par_iter().map_init(&make_worker, &work).collect();
+    if pool.is_around() {
+        return spread(items);
+    }
+    match pool.get() {
+        Some(threads) => threads.install(|| spread(items)),
+        None => in_order(items, make_worker, work),
+    }
 }
 
 #[cfg(test)]
@@ -184,6 +212,18 @@ mod tests {
         assert_eq!(Runner::new(Some(1)).expect("a runner").threads(), 1);
         let three = Runner::new(Some(3)).expect("a runner").threads();
         assert_eq!(three, if cfg!(feature = "parallel") { 3 } else { 1 });
+    }
+
+    #[cfg(feature = "parallel")]
+    #[test]
+    fn work_inside_a_pool_shares_its_threads() {
+        let (outer, inner) = (Runner::new(Some(3)).expect("a runner"), Runner::default());
+        let found = outer.map(
+            0..20,
+            || (),
+            |(), k| (inner.threads(), inner.map(0..20, || (), |(), j| j * k).iter().sum::<i32>()),
+        );
+        assert_eq!(found, Vec::from_iter((0..20).map(|k| (3, 190 * k))));
     }
 
     #[test]
