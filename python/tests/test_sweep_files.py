@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import hashlib
 import json
 import signal
@@ -9,6 +10,7 @@ import subprocess
 import sys
 import time
 from collections.abc import Callable
+from contextlib import ExitStack
 from pathlib import Path
 from typing import Any
 
@@ -19,6 +21,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 from carom import InputError, Sweep
+from carom.sweeps.lock import locked
 from carom.sweeps.parts import Parts
 
 ROOT = Path(__file__).parents[2]
@@ -288,13 +291,124 @@ def test_ctrl_c_stops_a_table_in_memory(spec: Spec, tmp_path: Path) -> None:
     assert told.splitlines()[-1] == b"KeyboardInterrupt"
 
 
+@pytest.fixture(params=["with locks", "without locks"])
+def locks(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
+    """A system with locks of files, and one without."""
+    if request.param == "without locks":
+        monkeypatch.setattr("carom.sweeps.lock.lock", no_locks)
+    return str(request.param)
+
+
+def no_locks(_: int) -> None:
+    raise OSError(errno.ENOLCK, "No locks available")
+
+
+@pytest.mark.usefixtures("locks")
 def test_two_runs_do_not_write_in_one_folder(spec: Spec, tmp_path: Path) -> None:
-    fcntl = pytest.importorskip("fcntl")
     carom.sweep(spec, tmp_path)
-    with (tmp_path / "sweep.json").open() as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
+    with (
+        locked(tmp_path),
+        pytest.raises(InputError, match="another run writes to it; wait until it ends"),
+    ):
+        carom.sweep(spec, tmp_path)
+    assert carom.sweep(spec, tmp_path).parts_before == 1
+    assert not list(tmp_path.glob("sweep.[!j]*"))
+
+
+@pytest.mark.usefixtures("locks")
+def test_a_run_that_began_after_the_look_at_the_folder_is_noticed(
+    spec: Spec, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # Two runs of a new folder both saw no manifest; each wrote its own, and both had a lock.
+    folder = tmp_path / "out"
+    with ExitStack() as other:
+
+        def check(_: object) -> None:
+            folder.mkdir()
+            other.enter_context(locked(folder))
+
+        monkeypatch.setattr("carom.sweeps.play.RowPlayer.check", check)
         with pytest.raises(InputError, match="another run writes to it"):
-            carom.sweep(spec, tmp_path)
+            carom.sweep(spec, folder)
+    assert not (folder / "sweep.json").exists()
+
+
+RUN = """
+import sys, json, errno, carom, carom.sweeps.lock
+def no_locks(file):
+    raise OSError(errno.ENOLCK, "No locks available")
+if sys.argv[3] == "without locks":
+    carom.sweeps.lock.lock = no_locks
+spec = carom.Sweep.from_dict(json.loads(sys.argv[1]))
+print("ready", flush=True)
+sys.stdin.readline()
+try:
+    print(spec.run(sys.argv[2], part_rows=500).rows)
+except carom.InputError as error:
+    print(error)
+"""
+
+
+def test_of_two_runs_that_begin_at_once_one_runs_and_the_other_says_so(
+    spec: Spec, tmp_path: Path, locks: str
+) -> None:
+    command = [sys.executable, "-c", RUN, json.dumps(slow(spec)), str(tmp_path / "out"), locks]
+    runs = [
+        subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True)
+        for _ in range(2)
+    ]
+    try:
+        for run in runs:
+            assert run.stdout is not None
+            assert run.stdout.readline() == "ready\n"
+        for run in runs:
+            assert run.stdin is not None
+            run.stdin.write("go\n")
+            run.stdin.flush()
+        told = sorted(run.communicate(timeout=100)[0] for run in runs)
+    finally:
+        for run in runs:
+            run.kill()
+    assert told[0].startswith(f"{tmp_path / 'out'}: another run writes to it; wait until it ends")
+    assert told[1] == "10000\n"
+    assert len(hashes(tmp_path / "out")) == 20
+    assert [path.name for path in (tmp_path / "out").glob("sweep.*")] == ["sweep.json"]
+
+
+def test_the_file_of_a_killed_run_stops_nobody_without_locks(
+    spec: Spec, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("carom.sweeps.lock.lock", no_locks)
+    program = "import os, socket; print(socket.gethostname(), os.getpid(), 1)"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, check=True)
+    (tmp_path / "sweep.running").write_bytes(done.stdout.strip())
+    assert carom.sweep(spec, tmp_path).rows == 200
+    assert not list(tmp_path.glob("sweep.[!j]*"))
+
+
+@pytest.mark.parametrize("owner", ["elsewhere 17 3", ""])
+def test_without_locks_a_run_on_another_machine_is_not_taken_for_a_killed_one(
+    spec: Spec, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, owner: str
+) -> None:
+    monkeypatch.setattr("carom.sweeps.lock.lock", no_locks)
+    running = tmp_path / "sweep.running"
+    running.write_text(owner, encoding="utf-8")
+    with pytest.raises(InputError) as refused:
+        carom.sweep(spec, tmp_path)
+    assert str(refused.value).endswith(f"if that run was killed, delete {running}")
+    assert running.read_text(encoding="utf-8") == owner
+
+
+def test_a_finished_table_in_a_folder_that_cannot_be_written_is_read(
+    spec: Spec, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    carom.sweep(spec, tmp_path)
+
+    def refuse(*_: object) -> int:
+        raise OSError(errno.EROFS, "Read-only file system")
+
+    monkeypatch.setattr("carom.sweeps.lock.os.open", refuse)
+    assert carom.sweep(spec, tmp_path).parts_before == 1
 
 
 def slow(spec: Spec) -> Spec:

@@ -9,23 +9,17 @@ from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from contextlib import closing, contextmanager
 from pathlib import Path
 from threading import Event
-from types import ModuleType
 from typing import TYPE_CHECKING
 
 from carom import __version__
 from carom.arguments import cores, whole
 from carom.errors import InputError
+from carom.files import read_text, write_whole
 from carom.progress import progress_bar
 from carom.sweeps import on_ray
-from carom.sweeps.parts import UNFINISHED, Parts, Receipt, default_rows
+from carom.sweeps.lock import locked
+from carom.sweeps.parts import Parts, Receipt, default_rows
 from carom.sweeps.report import Report
-
-fcntl: ModuleType | None
-try:
-    import fcntl
-except ImportError:
-    # Windows has no such locks.
-    fcntl = None
 
 if TYPE_CHECKING:
     from carom.sweeps.play import RowPlayer
@@ -136,26 +130,28 @@ def _claimed(player: RowPlayer, folder: Path, part_rows: int | None) -> Iterator
                 f"{strangers[0]}: the file belongs to no sweep ({MANIFEST} is missing); "
                 "choose another folder"
             )
-        rows = part_rows or default_rows(player.spec.rows)
-        _check_count(player.spec.rows, rows)
+        _check_count(player.spec.rows, part_rows or default_rows(player.spec.rows))
         player.check()
         folder.mkdir(parents=True, exist_ok=True)
-        said = {
-            "format": FORMAT,
-            "carom": __version__,
-            "sha256": player.spec.sha256,
-            "rows": player.spec.rows,
-            "part_rows": rows,
-            "spec": player.spec.file,
-        }
-        unfinished = folder / f"{MANIFEST}{UNFINISHED}"
-        unfinished.write_text(json.dumps(said, ensure_ascii=False, indent=1), encoding="utf-8")
-        unfinished.replace(manifest)
-    with manifest.open(encoding="utf-8") as file:
-        _lock(file.fileno(), folder)
-        rows, sha256 = _manifest(player, manifest, file.read(), part_rows)
+    with locked(folder):
+        # Another run may have begun since.
+        if not manifest.exists():
+            _begin(player, manifest, part_rows or default_rows(player.spec.rows))
+        rows, sha256 = _manifest(player, manifest, read_text(manifest), part_rows)
         _check_count(player.spec.rows, rows)
         yield Parts(folder, player.spec.rows, rows, sha256)
+
+
+def _begin(player: RowPlayer, manifest: Path, rows: int) -> None:
+    said = {
+        "format": FORMAT,
+        "carom": __version__,
+        "sha256": player.spec.sha256,
+        "rows": player.spec.rows,
+        "part_rows": rows,
+        "spec": player.spec.file,
+    }
+    write_whole(manifest, json.dumps(said, ensure_ascii=False, indent=1))
 
 
 def _check_count(rows: int, part_rows: int) -> None:
@@ -185,19 +181,3 @@ def _manifest(player: RowPlayer, manifest: Path, text: str, wanted: int | None) 
         what = f"the folder has parts of {rows} rows, and part_rows is {wanted}"
         raise InputError(f"{manifest}: {what}; leave part_rows out, or choose another folder")
     return rows, sha256
-
-
-def _lock(file: int, folder: Path) -> None:
-    """Lock the folder until the file is closed; a kill closes it too."""
-    if fcntl is None:
-        # Two runs in one folder then write the same files twice, which only costs time.
-        return
-    try:
-        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-    except BlockingIOError:
-        raise InputError(
-            f"{folder}: another run writes to it; wait until it ends, or choose another folder"
-        ) from None
-    except OSError:
-        # The file system has no locks, as above.
-        return
