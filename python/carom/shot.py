@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 import carom
@@ -12,7 +11,7 @@ from carom._core import Shot as CoreShot
 from carom.batch import VARIABLES, batch, own_strike
 from carom.build import Layout, Physics, Strike, Table, like
 from carom.errors import EventCapError
-from carom.files import read_text, shown
+from carom.files import read_text, shown, write_whole
 from carom.lazy import np
 from carom.method import method
 from carom.noise import vary
@@ -177,7 +176,7 @@ class Shot:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the shot file."""
-        Path(path).write_text(self.to_json() + "\n", encoding="utf-8")
+        write_whole(path, self.to_json() + "\n")
 
     @property
     def ids(self) -> list[str]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import carom
@@ -14,7 +13,7 @@ from carom._core import Trace as CoreTrace
 from carom.errors import InputError
 from carom.event_table import plain
 from carom.events import Outcome, TraceEvent, event
-from carom.files import read_text, shown
+from carom.files import read_text, shown, write_whole
 from carom.lazy import np
 
 if TYPE_CHECKING:
@@ -212,7 +211,7 @@ class Trace:
 
     def save(self, path: str | os.PathLike[str]) -> None:
         """Write the trace as JSON."""
-        Path(path).write_text(self.to_json() + "\n", encoding="utf-8")
+        write_whole(path, self.to_json() + "\n")
 
     def show(self, *, height: int | None = None) -> None:
         """Replay the trace in the notebook, or else in the browser until Ctrl-C.

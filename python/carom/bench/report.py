@@ -15,6 +15,7 @@ from rich.table import Table
 
 from carom import __version__
 from carom.bench.states import CLASSES
+from carom.files import write_whole
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -129,7 +130,7 @@ def store(result: dict[str, Any], folder: Path) -> Path:
     commit = (result["commit"] or result["carom"]).replace("+", "-changed")
     alone = "" if result["peer"] else "-alone"
     path = folder / f"{result['date'][:10]}-{commit}{alone}.json"
-    path.write_text(json.dumps(result, indent=2, ensure_ascii=False) + "\n", encoding="utf-8")
+    write_whole(path, json.dumps(result, indent=2, ensure_ascii=False) + "\n")
     return path
 
 

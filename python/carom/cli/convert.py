@@ -10,6 +10,7 @@ import typer
 import carom
 from carom.cli.output import emit, file_name, read_bytes, say
 from carom.errors import InputError
+from carom.files import refuse_other_encoding
 
 
 class Format(StrEnum):
@@ -41,6 +42,7 @@ def import_(
     Messages on stderr name what the shot file cannot hold.
     """
     data = read_bytes(file)
+    refuse_other_encoding(data, file_name(file))
     try:
         made = _convert(data, format_, strike)
     except InputError as error:

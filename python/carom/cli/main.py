@@ -25,8 +25,10 @@ from carom.cli import (
     sweep,
     think,
 )
-from carom.cli.output import say, say_json
+from carom.cli.output import emit, say, say_json
 from carom.errors import EventCapError, InputError, PageError
+from carom.files import shown
+from carom.streams import STDOUT, whole
 
 # The engine's own cap, which no shot should reach. A lower cap was set by the user.
 DEFAULT_EVENT_CAP = 100_000
@@ -62,7 +64,7 @@ app.command("schema")(reference.schema)
 
 def _print_version(asked: bool) -> None:
     if asked:
-        print(f"carom {__version__}")
+        emit(f"carom {__version__}")
         raise typer.Exit
 
 
@@ -84,14 +86,17 @@ def run() -> NoReturn:
         # A terminal that cannot print → prints ? instead of failing.
         if isinstance(stream, io.TextIOWrapper):
             stream.reconfigure(errors="replace")
+    if sys.stdout is not None:
+        sys.stdout = whole(sys.stdout, STDOUT)
     sys.exit(_run())
 
 
 def _run() -> int:
     try:
-        app(standalone_mode=True)
-    except SystemExit as end:
-        return end.code if isinstance(end.code, int) else 0
+        code = _call()
+        if sys.stdout is not None:
+            # Help texts are printed without a flush.
+            sys.stdout.flush()
     except (InputError, PageError) as error:
         say(str(error))
         return 2
@@ -102,17 +107,27 @@ def _run() -> int:
     except OSError as error:
         if error.errno is None:
             return _our_bug()
-        # An error without a file name concerns a standard stream, such as stdout on a full disk.
-        remedy = "check the path" if error.filename else "check where the output is redirected"
-        say(f"{error.filename or 'stdout'}: {error.strerror}; {remedy}")
-        if not error.filename:
+        if error.filename == STDOUT:
+            say(f"{STDOUT}: {error.strerror}; check where the output is redirected")
             # Otherwise Python would write the rest again at exit, and fail with code 120.
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        elif error.filename:
+            say(f"{shown(error.filename)}: {error.strerror}; check the path")
+        else:
+            say(f"the system reports: {error.strerror}; check its disks, network and limits")
         return 2
     except KeyboardInterrupt:
         return INTERRUPTED
     except BaseException:  # noqa: BLE001 -- a panic in Rust is not an Exception
         return _our_bug()
+    return code
+
+
+def _call() -> int:
+    try:
+        app(standalone_mode=True)
+    except SystemExit as end:
+        return end.code if isinstance(end.code, int) else 0
     return 0
 
 

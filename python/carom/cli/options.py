@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from carom import Noise
-from carom.cli.output import save
+from carom.files import write_whole
 from carom.lazy import LazyModule
 
 if TYPE_CHECKING:
@@ -65,9 +65,9 @@ Json = Annotated[bool, typer.Option("--json", help="Print the answer as JSON.")]
 def draw(figure: Callable[[], Figure], *, svg: Path | None, png: Path | None) -> None:
     """Write the picture to the files that were asked for; without any it is not drawn."""
     if svg is not None:
-        save(svg, picture_output.to_svg(figure()))
+        write_whole(svg, picture_output.to_svg(figure()))
     if png is not None:
-        save(png, picture_output.to_png(figure()))
+        write_whole(png, picture_output.to_png(figure()))
 
 
 def noise_of(name: str, cling: float) -> Noise:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 import signal
 import sys
@@ -11,7 +12,7 @@ from typing import Any
 import carom
 from carom.errors import InputError
 from carom.event_table import printable
-from carom.files import read_text, shown
+from carom.files import at_file, shown, text_of
 from carom.streams import emit
 
 __all__ = [
@@ -21,7 +22,6 @@ __all__ = [
     "read",
     "read_bytes",
     "read_shot",
-    "save",
     "say",
     "say_json",
 ]
@@ -40,7 +40,9 @@ def say_json(data: Any) -> None:
 def _print_error_line(line: str) -> None:
     # Without a stderr, `print` would write to stdout.
     if sys.stderr is not None:
-        print(line, file=sys.stderr)
+        # The exit code tells the same where stderr cannot.
+        with contextlib.suppress(OSError):
+            print(line, file=sys.stderr, flush=True)
 
 
 def keep_sockets() -> None:
@@ -52,17 +54,6 @@ def keep_sockets() -> None:
         signal.signal(signal.SIGPIPE, signal.SIG_IGN)
 
 
-def save(path: Path, content: str | bytes) -> None:
-    """Write data to a file."""
-    data = content if isinstance(content, bytes) else content.encode()
-    try:
-        path.write_bytes(data)
-    except OSError as error:
-        # The error of a full disk does not name the file.
-        error.filename = error.filename or str(path)
-        raise
-
-
 def read(path: str) -> str:
     """The text of a file, or of stdin for ``-``.
 
@@ -70,14 +61,7 @@ def read(path: str) -> str:
         OSError: The file cannot be read.
         InputError: It is not UTF-8, or stdin is closed.
     """
-    if path != "-":
-        return read_text(path)
-    try:
-        return read_bytes(path).decode("utf-8")
-    except UnicodeDecodeError as error:
-        raise InputError(
-            f"stdin: not UTF-8 text ({error.reason}); encode the JSON as UTF-8"
-        ) from None
+    return text_of(read_bytes(path), file_name(path))
 
 
 def read_shot(path: str) -> carom.Shot:
@@ -106,4 +90,5 @@ def read_bytes(path: str) -> bytes:
         return Path(path).read_bytes()
     if sys.stdin is None:
         raise InputError("stdin: it is closed; give the name of a file")
-    return sys.stdin.buffer.read()
+    with at_file(file_name(path)):
+        return sys.stdin.buffer.read()

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 import carom
-from carom.cli.output import emit, read_shot, save
+from carom.cli.output import emit, read_shot
 from carom.event_table import plain, rich_table
+from carom.files import write_whole
 from carom.lazy import LazyModule
 
 if TYPE_CHECKING:
@@ -126,11 +127,11 @@ def _show(
     png: Path | None,
 ) -> None:
     if html is not None:
-        save(html, carom.page.html(trace, title=title))
+        write_whole(html, carom.page.html(trace, title=title))
     if svg is not None:
-        save(svg, carom.picture.svg(trace, title=title))
+        write_whole(svg, carom.picture.svg(trace, title=title))
     if png is not None:
-        save(png, carom.picture.png(trace, title=title))
+        write_whole(png, carom.picture.png(trace, title=title))
     if json:
         emit(trace.to_json())
         return

@@ -12,7 +12,7 @@ from carom.convert._msgpack import unpack
 from carom.convert._place import Place
 from carom.convert._pooltool_table import table
 from carom.errors import InputError
-from carom.files import checked_path
+from carom.files import checked_path, refuse_other_encoding, shown
 from carom.shot import Shot
 
 _POCKETED = 4
@@ -63,7 +63,10 @@ def _tree(source: Any) -> Any:
     if isinstance(source, bytes):
         return _decode(source)
     if isinstance(source, str | os.PathLike):
-        return _decode(checked_path("source", source, "shot.msgpack").read_bytes())
+        path = checked_path("source", source, "shot.msgpack")
+        data = path.read_bytes()
+        refuse_other_encoding(data, shown(path))
+        return _decode(data)
     kind = type(source).__name__
     raise InputError(f"source: found a {kind}; give a file's path, its bytes, or a dict")
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from carom.errors import InputError
-from carom.files import checked_path
+from carom.files import checked_path, write_whole
 from carom.picture import canvas, evaluation, maps, plays, solutions
 from carom.picture.output import to_png, to_svg
 from carom.plan import Evaluation, Solution
@@ -39,15 +39,16 @@ def save(
 
     Raises:
         InputError: The ending is another one, or ``found`` cannot be drawn.
+        OSError: The file cannot be written; a file that was there before is unchanged.
     """
     file = checked_path("path", path, "shot.svg")
     if file.suffix not in {".svg", ".png"}:
         raise InputError(f"path: {file.name!r} ends neither in .svg nor in .png; end it in one")
     figure = _draw(found, title, leave)
     if file.suffix == ".svg":
-        file.write_text(to_svg(figure), encoding="utf-8")
+        write_whole(file, to_svg(figure))
         return
-    file.write_bytes(to_png(figure))
+    write_whole(file, to_png(figure))
 
 
 def _draw(

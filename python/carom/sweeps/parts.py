@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 from carom import __version__
 from carom.errors import InputError
+from carom.files import at_file
 from carom.lazy import pa, pq
 from carom.sweeps.play import CHUNK
 
@@ -110,6 +111,7 @@ class Parts:
 
         Raises:
             StoppedError: ``go_on`` returned False.
+            OSError: The folder cannot take the file, such as on a full disk.
         """
         path = self.path(part)
         # No other process uses this name, on any machine with access to the folder.
@@ -117,14 +119,15 @@ class Parts:
         unfinished = path.with_name(name)
         note = path.with_name(f"{CHECKSUM[1:]}-{name}")
         try:
-            failed = self._play_into(unfinished, player, part, go_on)
-            with unfinished.open("rb+") as file:
-                os.fsync(file.fileno())
-            size = unfinished.stat().st_size
-            note.write_text(f"{_digest(unfinished)}  {path.name}\n", encoding="ascii")
-            # The checksum comes first, so that a complete part always has one.
-            note.replace(_checksum_path(path))
-            unfinished.replace(path)
+            with at_file(path):
+                failed = self._play_into(unfinished, player, part, go_on)
+                with unfinished.open("rb+") as file:
+                    os.fsync(file.fileno())
+                size = unfinished.stat().st_size
+                note.write_text(f"{_digest(unfinished)}  {path.name}\n", encoding="ascii")
+                # The checksum comes first, so that a complete part always has one.
+                note.replace(_checksum_path(path))
+                unfinished.replace(path)
         finally:
             unfinished.unlink(missing_ok=True)
             note.unlink(missing_ok=True)

@@ -13,11 +13,11 @@ use std::thread;
 use std::time::Duration;
 
 /// How often a held lock is tried again. It is held for some nanoseconds, so a lock that is held for
-/// longer was copied by a fork while a thread held it, and nobody in this process can release it.
+/// longer was copied by a fork while a thread held it, and no thread of this process can release it.
 /// With a smaller number a busy machine could make a pool for a single task, which only costs time.
 const ATTEMPTS: u32 = 10_000;
 
-/// Time between two looks at a pool that another thread is making. A pool takes some hundred
+/// Time between two looks at a pool that another thread is making, which takes a few hundred
 /// microseconds.
 const MAKING: Duration = Duration::from_micros(50);
 
