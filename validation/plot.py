@@ -62,5 +62,10 @@ def name(ax: Axes, x: str, y: str, title: str = "") -> None:
 
 def draw(paper: str, path: Path) -> None:
     """Draws the figure of one paper into `path`, whose suffix gives the format."""
-    figure: Any = importlib.import_module(f"carom.validation.{paper}.figure").figure()
-    figure.savefig(path, dpi=DPI, metadata={"Software": None} if path.suffix == ".png" else None)
+    prepare()
+    from carom.picture.style import own_style
+
+    with own_style():
+        figure: Any = importlib.import_module(f"carom.validation.{paper}.figure").figure()
+        metadata = {"Software": None} if path.suffix == ".png" else None
+        figure.savefig(path, dpi=DPI, metadata=metadata)

@@ -5,16 +5,19 @@ from __future__ import annotations
 import copy
 import math
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
 
 import carom
+import carom.env
+import gymnasium
+import matplotlib
 import numpy as np
 import pytest
 from carom import Shot, picture
-from carom.picture import evaluation, solutions
+from carom.picture import evaluation, maps, plays, solutions
 from carom.picture.balls import mark
 from carom.picture.colors import look
 from carom.picture.paths import Leg, routes, starts
@@ -348,3 +351,57 @@ def test_the_cue_is_drawn_only_if_there_is_a_strike(
 ) -> None:
     assert 'id="cue"' in picture.svg(Shot.from_dict(pot).simulate())
     assert 'id="cue"' not in picture.svg(Shot.from_dict(endless).simulate())
+
+
+# What a user's matplotlibrc may have, without LaTeX, which would hide the others.
+SETTINGS: dict[str, Any] = {
+    "savefig.bbox": "tight",
+    "savefig.transparent": True,
+    "savefig.facecolor": "red",
+    "path.sketch": (3.0, 100.0, 2.0),
+    "path.simplify": False,
+    "lines.antialiased": False,
+    "lines.solid_capstyle": "butt",
+    "patch.force_edgecolor": True,
+    "axes.grid": True,
+    "axes.unicode_minus": False,
+    "figure.constrained_layout.use": True,
+    "font.family": ["monospace"],
+    "image.interpolation": "nearest",
+    "image.cmap": "gray",
+    "svg.fonttype": "none",
+    "text.hinting": "none",
+}
+
+
+def pictures(nine_ball: Shot) -> Iterator[bytes | str]:
+    """A picture of every kind."""
+    club = carom.Noise.preset("club")
+    cut = Shot("wpa-9ft", {"cue": (0.5, 1.2), "9": (0.9, 1.9)}, carom.Strike(2.0, 1.05))
+    yield picture.png(nine_ball.simulate())
+    yield picture.svg(nine_ball.simulate())
+    yield evaluation.png(cut.evaluate(club, 100))
+    yield solutions.svg(cut, cut.solve(pot="9", n=200))
+    yield plays.png(carom.Player("carom:50").explain(cut, game="nine-ball"))
+    yield maps.png(cut.acceptance("left", speed=[1.0, 2.0]))
+    yield maps.png(cut.pot_map("9", "top-right", columns=4, n=10))
+    environment = gymnasium.make("carom/Potting-v3", render_mode="rgb_array")
+    environment.reset(seed=0)
+    pixels: Any = environment.render()
+    yield pixels.tobytes()
+
+
+@pytest.mark.parametrize("settings", [{"text.usetex": True}, SETTINGS])
+def test_a_users_matplotlibrc_changes_no_picture(
+    settings: dict[str, Any], nine_ball: Shot, as_by_default: list[bytes | str]
+) -> None:
+    with matplotlib.rc_context(settings):
+        assert list(pictures(nine_ball)) == as_by_default
+        kept = {key: matplotlib.rcParams[key] for key in settings}
+    assert kept == settings, "the user's own settings stay"
+
+
+@pytest.fixture(scope="module")
+def as_by_default(nine_ball: Shot) -> list[bytes | str]:
+    """The pictures with Matplotlib's defaults."""
+    return list(pictures(nine_ball))

@@ -14,6 +14,7 @@ from carom.picture.legend import Panel, draw_panel
 from carom.picture.output import DOTS_PER_INCH, as_written, to_png, to_svg
 from carom.picture.paths import routes, starts
 from carom.picture.side import draw_side, views
+from carom.picture.style import own_style
 from carom.trace import Trace
 
 # Length of the table's longer side on paper, inches; a picture of 9 inches fills the width of a
@@ -30,6 +31,7 @@ MARGIN_POINTS = 14.0
 SMALLEST_BALL_POINTS = 2.6
 
 
+@own_style()
 def draw(trace: Trace, *, title: str | None = None) -> Figure:
     """Draw a shot.
 
@@ -58,6 +60,7 @@ def draw(trace: Trace, *, title: str | None = None) -> Figure:
     )
 
 
+@own_style()
 def compose(
     geometry: dict[str, Any],
     balls: list[dict[str, Any]],
@@ -125,6 +128,7 @@ def compose(
     return as_written(figure)
 
 
+@own_style()
 def draw_table(geometry: dict[str, Any]) -> Figure:
     """Draw a table without balls.
 

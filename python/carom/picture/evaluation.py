@@ -16,6 +16,7 @@ from carom.picture.balls import curve, draw_ball, draw_cue
 from carom.picture.output import as_written, to_png, to_svg
 from carom.picture.paths import routes, starts
 from carom.picture.sheet import MARGIN_INCHES, sheet
+from carom.picture.style import own_style
 from carom.plan import Evaluation
 
 if TYPE_CHECKING:
@@ -34,6 +35,7 @@ PANEL_INCHES = 4.2
 DEVIATIONS = 2.0
 
 
+@own_style()
 def draw(evaluation: Evaluation, *, title: str | None = None) -> Figure:
     """Draw the paths of some variants and the density of the cue ball's final positions.
 

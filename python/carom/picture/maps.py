@@ -16,6 +16,7 @@ from carom.picture import colors
 from carom.picture.balls import draw_ball
 from carom.picture.output import as_written, to_png, to_svg
 from carom.picture.sheet import sheet
+from carom.picture.style import own_style
 from carom.plan import Acceptance, BreakStatistics, CushionTable, PositionMap, PotMap
 
 if TYPE_CHECKING:
@@ -34,6 +35,7 @@ CHART_INCHES = (7.2, 4.6)
 MAP_LAYER = 1.15
 
 
+@own_style()
 def draw(found: Drawn, *, title: str | None = None) -> Figure:
     """Draw a map, a table of cushion shots or statistics of breaks.
 

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from carom.arguments import whole
+from carom.picture.style import own_style
 
 DOTS_PER_INCH = 150
 # Largest resolution: a picture of a few inches then has a few hundred megabytes in memory.
@@ -38,6 +39,7 @@ def as_written(figure: Figure) -> Figure:
     return figure
 
 
+@own_style()
 def to_svg(figure: Figure) -> str:
     """A figure as SVG text; the same text for the same figure."""
     out = io.StringIO()
@@ -47,6 +49,7 @@ def to_svg(figure: Figure) -> str:
     return out.getvalue()
 
 
+@own_style()
 def to_png(figure: Figure, *, dots_per_inch: int = DOTS_PER_INCH) -> bytes:
     """A figure as the content of a PNG file.
 

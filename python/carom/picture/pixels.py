@@ -10,11 +10,13 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from carom.picture.balls import draw_ball
 from carom.picture.canvas import draw_table
 from carom.picture.colors import look
+from carom.picture.style import own_style
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
 
+@own_style()
 def table_pixels(
     geometry: dict[str, Any], balls: list[dict[str, Any]], long_side: int
 ) -> NDArray[np.uint8]:

@@ -16,6 +16,7 @@ from carom.picture.balls import draw_ball, draw_cue, draw_marks, draw_paths
 from carom.picture.output import as_written, to_png, to_svg
 from carom.picture.paths import routes, starts
 from carom.picture.sheet import MARGIN_INCHES, sheet
+from carom.picture.style import own_style
 from carom.player import Analysis, Recommendation
 
 if TYPE_CHECKING:
@@ -37,6 +38,7 @@ ENTRY_INCHES = 0.88
 DEVIATIONS = 2.0
 
 
+@own_style()
 def draw(analysis: Analysis, *, title: str | None = None) -> Figure:
     """Draw the best play without errors, and list the plays beside it.
 

@@ -15,6 +15,7 @@ from carom.picture.balls import DOTTED, curve, draw_ball, points_per_metre
 from carom.picture.output import as_written, to_png, to_svg
 from carom.picture.paths import routes, starts
 from carom.picture.sheet import MARGIN_INCHES, sheet
+from carom.picture.style import own_style
 from carom.plan import Solution
 from carom.plan.solve import signed
 from carom.shot import Shot
@@ -41,6 +42,7 @@ PANEL_INCHES = 3.5
 ENTRY_INCHES = 1.02
 
 
+@own_style()
 def draw(
     shot: Shot,
     solutions: Sequence[Solution],
