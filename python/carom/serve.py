@@ -20,6 +20,9 @@ HOST = "127.0.0.1"
 # at each start would lose them. The number has no other common use.
 PORT = 8737
 
+# Seconds that an idle connection may keep others waiting, where each has no thread of its own.
+PATIENCE = 0.2
+
 # Types of the files beside the page.
 TYPES = {
     ".js": "text/javascript; charset=utf-8",
@@ -63,10 +66,27 @@ class PageServer(ThreadingHTTPServer):
                 "option out for a free one"
             ) from None
 
+    def process_request(self, request: Any, client_address: Any) -> None:
+        """Answer in a thread of its own, or here if the system refuses one."""
+        try:
+            super().process_request(request, client_address)
+        except RuntimeError:
+            # The next request waits for the end of this connection.
+            request.settimeout(PATIENCE)
+            self.process_request_thread(request, client_address)
+
     def handle_error(self, request: Any, client_address: Any) -> None:
         """Ignore a browser that closes the connection early, for example on a reload."""
         if not isinstance(sys.exception(), ConnectionError):
             super().handle_error(request, client_address)
+
+    @property
+    def hosts(self) -> set[str]:
+        """What a browser may call this server: nothing that a stranger's domain can lead here."""
+        names = ("127.0.0.1", "[::1]", "localhost")
+        # Browsers omit port 80.
+        without = set(names) if self.server_port == 80 else set()
+        return without | {f"{name}:{self.server_port}" for name in names}
 
     @property
     def address(self) -> str:
@@ -83,6 +103,9 @@ class _Handler(BaseHTTPRequestHandler):
         self.do_GET()
 
     def do_GET(self) -> None:
+        if not self._is_called_here():
+            self.send_error(HTTPStatus.FORBIDDEN, f"The page is only at {self.server.address}")
+            return
         name = self.path.partition("?")[0].removeprefix("/")
         if name in self.server.beside:
             self._send_beside(name)
@@ -103,6 +126,15 @@ class _Handler(BaseHTTPRequestHandler):
         self.send_header("X-Content-Type-Options", "nosniff")
         self.end_headers()
         self._write(body)
+
+    def _is_called_here(self) -> bool:
+        """Whether the browser's page is of this machine.
+
+        A domain of a stranger may resolve to this address, and its page then read ours (DNS
+        rebinding). The browser still names that domain.
+        """
+        hosts = self.headers.get_all("Host", [])
+        return len(hosts) == 1 and hosts[0].strip().lower() in self.server.hosts
 
     def _send_beside(self, name: str) -> None:
         body = self.server.beside[name]
@@ -148,8 +180,10 @@ def serve(
         sys.stderr.write(f"carom: {server.address} (Ctrl-C ends)\n")
         sys.stderr.flush()
         if browser:
-            # In a thread, because some browsers return only when they are closed.
-            threading.Thread(target=webbrowser.open, args=[server.address], daemon=True).start()
+            # In a thread, because some browsers return only when they are closed. Where the system
+            # refuses one, the address on stderr must do.
+            with contextlib.suppress(RuntimeError):
+                threading.Thread(target=webbrowser.open, args=[server.address], daemon=True).start()
         with contextlib.suppress(KeyboardInterrupt):
             server.serve_forever()
 

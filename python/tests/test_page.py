@@ -228,6 +228,72 @@ def test_a_closed_connection_is_ignored_and_a_bug_is_reported(
     assert "a wheel came off" in said_after(RuntimeError("a wheel came off"))
 
 
+def raw(server: serve.PageServer, request: str) -> bytes:
+    """The whole answer to a request as it is written; PORT is the server's port."""
+    text = request.replace("PORT", str(server.server_port)).replace("\n", "\r\n") + "\r\n\r\n"
+    with socket.create_connection((serve.HOST, server.server_port), timeout=10) as browser:
+        browser.sendall(text.encode("latin-1"))
+        browser.shutdown(socket.SHUT_WR)
+        return b"".join(iter(lambda: browser.recv(1 << 16), b""))
+
+
+@pytest.mark.parametrize("path", ["/", "/manifest.webmanifest"])
+@pytest.mark.parametrize(
+    "host",
+    [
+        "",
+        "\nHost:",
+        "\nHost: strange.example:PORT",
+        "\nHost: strange.example",
+        "\nHost: 127.0.0.1",
+        "\nHost: localhost:1",
+        "\nHost: 127.0.0.1:PORT.strange.example",
+        "\nHost: 127.0.0.1.strange.example:PORT",
+        "\nHost: localhost.:PORT",
+        "\nHost: 0.0.0.0:PORT",
+        "\nHost: strange.example@127.0.0.1:PORT",
+        "\nHost: 127.0.0.1:PORT\nHost: strange.example:PORT",
+        "\nHost: strange.example:PORT\nHost: 127.0.0.1:PORT",
+        "\nX-Forwarded-Host: 127.0.0.1:PORT\nHost: strange.example:PORT",
+    ],
+)
+def test_a_strange_host_does_not_get_the_page(host: str, path: str) -> None:
+    # A domain of a stranger that resolves to 127.0.0.1 read the user's shot (DNS rebinding).
+    with served("the shot of the user") as server:
+        for version in ("HTTP/1.1", "HTTP/1.0"):
+            answer = raw(server, f"GET {path} {version}{host}")
+            assert answer.startswith(b"HTTP/1.1 403 The page is only at http://127.0.0.1:")
+            assert b"the shot" not in answer
+            assert b"icons" not in answer
+            head = raw(server, f"HEAD {path} {version}{host}")
+            assert head.startswith(b"HTTP/1.1 403 ")
+            assert head.endswith(b"\r\n\r\n")
+            assert head.count(b"\r\n\r\n") == 1
+        absolute = raw(server, f"GET http://127.0.0.1:PORT{path} HTTP/1.1{host}")
+        assert absolute.startswith(b"HTTP/1.1 403 ")
+        assert b"the shot" not in raw(server, f"GET {path}")
+
+
+@pytest.mark.parametrize(
+    "host", ["127.0.0.1:PORT", "localhost:PORT", "LocalHost:PORT", "[::1]:PORT"]
+)
+def test_this_machine_gets_the_page_by_each_of_its_names(name: str) -> None:
+    with served("the shot of the user") as server:
+        answer = raw(server, f"GET / HTTP/1.1\nHost: {name}:PORT")
+        assert answer.startswith(b"HTTP/1.1 200 OK")
+        assert answer.endswith(b"\r\n\r\nthe shot of the user")
+        head = raw(server, f"HEAD / HTTP/1.1\nHost: {name}:PORT")
+        assert head.startswith(b"HTTP/1.1 200 OK")
+        assert head.endswith(b"\r\n\r\n")
+
+
+def test_port_80_may_be_omitted_and_no_other(monkeypatch: pytest.MonkeyPatch) -> None:
+    with serve.PageServer("") as server:
+        assert "localhost" not in server.hosts
+        monkeypatch.setattr(server, "server_port", 80)
+        assert {"localhost", "localhost:80", "[::1]", "127.0.0.1"} < server.hosts
+
+
 def test_the_server_accepts_this_machine_only() -> None:
     with serve.PageServer("") as server:
         assert server.server_address[0] == "127.0.0.1"
