@@ -7,6 +7,7 @@ from contextlib import ExitStack, contextmanager
 from typing import TYPE_CHECKING
 
 from carom.lazy import LazyModule
+from carom.threads import startable
 
 if TYPE_CHECKING:
     import rich.console as rich_console
@@ -33,15 +34,18 @@ def progress_bar(
     if not show:
         yield lambda _: None
         return
+    # The bar moves in a thread of its own, or else whenever items are done.
+    has_thread = startable(1) == 1
     with rich_progress.Progress(
         rich_progress.TextColumn(what),
         rich_progress.BarColumn(),
         rich_progress.MofNCompleteColumn(),
         rich_progress.TimeRemainingColumn(),
         console=rich_console.Console(stderr=True),
+        auto_refresh=has_thread,
     ) as bar:
         task = bar.add_task(what, total=count)
-        yield lambda done: bar.advance(task, done)
+        yield lambda done: bar.update(task, advance=done, refresh=not has_thread)
 
 
 @contextmanager

@@ -19,6 +19,7 @@ from carom.errors import InputError
 from carom.files import at_file
 from carom.lazy import pa, pq
 from carom.sweeps.play import CHUNK
+from carom.threads import startable
 
 if TYPE_CHECKING:
     from carom.sweeps.play import RowPlayer
@@ -203,7 +204,7 @@ class Parts:
             return
         start, stop = self.range(part)
         count = min(stop - start, COMPARED)
-        found = pq.read_table(self.path(part)).slice(0, count)
+        found = pq.ParquetFile(self.path(part)).read(use_threads=False).slice(0, count)
         if not found.equals(play_rows(player, start, start + count)):
             raise InputError(
                 f"{self.path(part)}: its rows differ from those of this sweep, because the folder "
@@ -268,7 +269,9 @@ def _in_order(call: Callable[[int], R], items: Iterable[int], threads: int) -> I
 
     Only a few calls wait at any time, so that Ctrl-C ends soon and long ranges need no memory.
     """
-    if threads == 1:
+    if threads > 1:
+        threads = startable(threads)
+    if threads < 2:
         yield from map(call, items)
         return
     pending: deque[Future[R]] = deque()

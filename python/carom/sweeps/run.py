@@ -20,6 +20,7 @@ from carom.sweeps import on_ray
 from carom.sweeps.lock import locked
 from carom.sweeps.parts import Parts, Receipt, default_rows
 from carom.sweeps.report import Report
+from carom.threads import startable
 
 if TYPE_CHECKING:
     from carom.sweeps.play import RowPlayer
@@ -93,6 +94,11 @@ def _here(player: RowPlayer, parts: Parts, missing: list[int], threads: int) -> 
     def go_on() -> bool:
         return not stop.is_set()
 
+    threads = startable(threads)
+    if threads == 0:
+        for part in missing:
+            yield parts.write(player, part)
+        return
     left = iter(missing)
     with ThreadPoolExecutor(threads) as pool:
         running: set[Future[Receipt]] = set()
