@@ -10,6 +10,7 @@ from collections import defaultdict
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from carom import columns
 from carom.flights import Heights, highest, runs
 from carom.lazy import LazyModule
 
@@ -187,17 +188,8 @@ def _remedy(outcome: dict[str, Any]) -> str:
 
 def plain(trace: dict[str, Any]) -> str:
     """The table as text without colours."""
-    body = rows(trace)
-    widths = [max(len(row[i]) for row in [HEADINGS, *body]) for i in range(len(HEADINGS))]
-
-    def line(row: tuple[str, ...]) -> str:
-        cells = [
-            cell.rjust(width) if i in _RIGHT else cell.ljust(width)
-            for i, (cell, width) in enumerate(zip(row, widths, strict=True))
-        ]
-        return "  ".join(cells).rstrip()
-
-    return "\n".join([line(HEADINGS), *map(line, body), "", *summary(trace)])
+    table = columns.lines([HEADINGS, *rows(trace)], right_aligned=_RIGHT)
+    return "\n".join([*table, "", *summary(trace)])
 
 
 _STYLES = {

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Self
 
+from carom.columns import cells, left
 from carom.plan.chance import Chance, or_null
 
 _POINTS = ("0", "½", "1", "1½", "2")
@@ -139,12 +140,12 @@ class Score:
         one, other = self.players
         if one == other:
             one, other = f"{one} (A)", f"{other} (B)"
-        name = max(len(one), len(other), len("player"))
+        name = max(map(cells, (one, other, "player")))
         frames = self.wins + self.draws + self.losses
         points = self.wins + 0.5 * self.draws
 
-        def row(player: str, *cells: str) -> str:
-            return f"  {player:<{name}}" + "".join(f"{cell:>8}" for cell in cells)
+        def row(player: str, *numbers: str) -> str:
+            return f"  {left(player, name)}" + "".join(f"{number:>8}" for number in numbers)
 
         low, high = (100 * end for end in self.share_interval)
         counts = ", ".join(

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-from carom import _core
+from carom import _core, columns
 from carom.arguments import number, text, thread_count, whole
 from carom.batch import BatchResult
 from carom.build import opening
@@ -70,7 +70,6 @@ class BreakStatistics:
 
     def __str__(self) -> str:
         rows = [(what, str(chance)) for what, chance in self.chances().items()]
-        width = max(len(what) for what, _ in rows)
         shares = np.bincount(self.potted) / max(1, self.racks)
         fell = ", ".join(f"{count}: {100 * s:.1f} %" for count, s in enumerate(shares))
         mean = self.potted.mean() if self.racks else float("nan")
@@ -78,7 +77,7 @@ class BreakStatistics:
             f"{self.racks} breaks of {self.game}; intervals at {100 * self.level:g} % confidence"
         )
         lines = [title, f"  balls that fall: {mean:.2f} on average; {fell}"]
-        return "\n".join([*lines, *(f"  {what:<{width}}  {value}" for what, value in rows)])
+        return "\n".join([*lines, *(f"  {line}" for line in columns.lines(rows))])
 
 
 def break_statistics(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import asdict, dataclass
 from typing import TYPE_CHECKING, Any
 
-from carom import _core
+from carom import _core, columns
 from carom.arguments import core, text, thread_count
 from carom.call import fields_of
 from carom.errors import InputError
@@ -176,9 +176,8 @@ class Evaluation:
             spread = [float(v) ** 0.5 for v in self.end_covariance[self.cue_ball].diagonal()]
             place = f"{x:.3f} ± {spread[0]:.3f}, {y:.3f} ± {spread[1]:.3f} m"
             rows.append((f"{self.shot.ids[self.cue_ball]} ends at", place))
-        width = max(len(what) for what, _ in rows) if rows else 0
         title = f"{self.n} variants; intervals at {100 * self.level:g} % confidence"
-        return "\n".join([title, *(f"  {what:<{width}}  {value}" for what, value in rows)])
+        return "\n".join([title, *(f"  {line}" for line in columns.lines(rows))])
 
     def __repr__(self) -> str:
         return f"<carom.Evaluation: {self.n} variants of {self.shot!r}>"

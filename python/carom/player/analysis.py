@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from html import escape
 from typing import Any, Self
 
+from carom import columns
 from carom.plan.chance import Chance, or_null
 from carom.player import words
 from carom.player.decision import Play
@@ -258,17 +259,8 @@ class Analysis:
         }
 
     def __str__(self) -> str:
-        body = [_HEADINGS, *self.rows()]
-        widths = [max(len(row[i]) for row in body) for i in range(len(_HEADINGS))]
-
-        def line(row: tuple[str, ...]) -> str:
-            cells = [
-                cell.rjust(width) if i in _RIGHT else cell.ljust(width)
-                for i, (cell, width) in enumerate(zip(row, widths, strict=True))
-            ]
-            return "  ".join(cells).rstrip()
-
-        return "\n".join([self.title, *map(line, body)])
+        table = columns.lines([_HEADINGS, *self.rows()], right_aligned=_RIGHT)
+        return "\n".join([self.title, *table])
 
     def _repr_html_(self) -> str:
         """The table, for notebooks."""

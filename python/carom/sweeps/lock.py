@@ -21,7 +21,7 @@ from carom.errors import InputError
 
 LOCK = "sweep.lock"
 RUNNING = "sweep.running"
-# Errors in a folder that nobody can write to, so that it needs no lock.
+# Errors in a folder that cannot be written to, so that it needs no lock.
 _READ_ONLY = {errno.EACCES, errno.EPERM, errno.EROFS}
 # Attempts to lock a file that ending runs remove.
 _ATTEMPTS = 100
@@ -51,7 +51,7 @@ def locked(folder: Path) -> Iterator[None]:
         else:
             if file is not None:
                 release.callback(os.close, file)
-            # Before it is unlocked, so that nobody locks a file that is then removed.
+            # Before it is unlocked, so that no run locks a file that is then removed.
             release.callback(_remove, path)
         yield
 
