@@ -231,7 +231,11 @@ def test_a_trace_in_place_of_a_shot_is_recognised_in_the_error(
     run: CommandLine, file: Path
 ) -> None:
     trace = run("shot", str(file), "--json").stdout
-    refused(run("shot", "-", stdin=trace), "format", "carom-trace/1", "carom-shot/1")
+    for command in ("shot", "evaluate", "solve"):
+        told = "the file is a trace", "carom-trace/1", "carom-shot/1", "`carom replay` and"
+        refused(run(command, "-", stdin=trace), "format", *told)
+    told = "the file is a shot", "carom-trace/1", "`carom shot FILE --json` prints its trace"
+    refused(run("replay", str(file)), "format", *told)
 
 
 def test_an_unknown_option_is_bad_input(run: CommandLine, file: Path) -> None:

@@ -13,7 +13,7 @@ if not hasattr(os, "fork"):
     pytest.skip("the system has no fork", allow_module_level=True)
 
 # A program that does nothing for so long, s, hangs. It is ended, and its test fails.
-LIMIT = 100
+LIMIT = 240
 
 # Calls that use all cores. Three threads also on a machine with one core.
 SETUP = """
@@ -79,7 +79,7 @@ calls["vector with two threads"] = lambda: step(own)
 for name, call in calls.items():
     here = call()
     if (child := os.fork()) == 0:
-        signal.alarm(40)
+        signal.alarm(60)
         os._exit(0 if call() == here else 1)
     _, status = os.waitpid(child, 0)
     print(name, "ok" if status == 0 else f"status {status}")
@@ -116,10 +116,10 @@ def test_pools_of_forked_processes_give_the_results_of_their_parent() -> None:
 GRANDCHILD = """
 here = calls["batch"]()
 if os.fork() == 0:
-    signal.alarm(40)
+    signal.alarm(60)
     same = calls["batch"]() == here
     if (grandchild := os.fork()) == 0:
-        signal.alarm(40)
+        signal.alarm(60)
         os._exit(0 if same and calls["batch"]() == here else 1)
     _, status = os.waitpid(grandchild, 0)
     os._exit(0 if status == 0 and calls["batch"]() == here else 1)
@@ -148,7 +148,7 @@ for thread in threads:
 statuses = []
 for _ in range(20):
     if (child := os.fork()) == 0:
-        signal.alarm(40)
+        signal.alarm(60)
         os._exit(0 if calls["batch"]() == here else 1)
     statuses.append(os.waitpid(child, 0)[1])
 stop.set()
@@ -177,7 +177,7 @@ for name, call in calls.items():
     call()
 for name, call in long.items():
     if (child := os.fork()) == 0:
-        signal.alarm(40)
+        signal.alarm(60)
         threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
         try:
             found = call()
@@ -253,7 +253,7 @@ for name, call in long.items():
         time.sleep(0.5)
         os.kill(os.getppid(), signal.SIGINT)
         os._exit(0)
-    signal.alarm(40)
+    signal.alarm(60)
     try:
         print(name, call().interrupted)
     except KeyboardInterrupt:

@@ -9,6 +9,7 @@ mod angle;
 mod balls;
 mod cling;
 mod dated;
+mod file_kind;
 mod geometry;
 #[cfg(feature = "json")]
 mod json;

@@ -276,9 +276,7 @@ impl Shot {
 fn read(file: &Node) -> Result<Shot, Error> {
     let root = At::root(file);
     // Checked before the keys: those of a trace or of a later format are not typing errors.
-    root.known_fields()?
-        .require("format", &format!("\"{SHOT_FORMAT}\""))?
-        .choice("format", &[(SHOT_FORMAT, ())])?;
+    root.known_fields()?.require("format", &format!("\"{SHOT_FORMAT}\""))?.format(SHOT_FORMAT)?;
     let fields = root.fields(KEYS)?;
     let at = fields.require("table", "a table preset's name, or an object {...}")?;
     let (table, default_physics) = table::read(&at)?;

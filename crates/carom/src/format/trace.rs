@@ -101,9 +101,7 @@ impl Trace {
     /// As [`Self::from_node`].
     pub fn from_node_with_file(node: &Node) -> Result<(Self, ShotFile), Error> {
         let fields = At::root(node).known_fields()?;
-        fields
-            .require("format", &format!("\"{TRACE_FORMAT}\""))?
-            .choice("format", &[(TRACE_FORMAT, ())])?;
+        fields.require("format", &format!("\"{TRACE_FORMAT}\""))?.format(TRACE_FORMAT)?;
         let at = fields.require("shot", "the shot file that the trace was made from")?;
         let file = ShotFile::from_node(at.node().clone()).map_err(|e| e.inside("shot"))?;
         let shot = file.shot().clone();

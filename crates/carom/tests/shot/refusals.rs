@@ -91,6 +91,15 @@ fn an_angle_in_radians_has_the_range_of_the_one_in_degrees() {
 fn a_file_of_another_format_is_refused_for_its_format_and_not_for_its_keys() {
     let trace = r#""format": "carom-trace/1", "engine": "carom 0.1.0""#;
     refused(r#""format": "carom-shot/1""#, trace, "format", &["carom-trace/1", "carom-shot/1"]);
+    for (format, what) in [
+        ("carom-trace/1", "the file is a trace"),
+        ("carom-frame/1", "the file is the record of a frame"),
+        ("carom-sweep/1", "the file is the spec of a sweep"),
+        ("carom-shot/9", "there is no format"),
+    ] {
+        let with = format!(r#""format": "{format}""#);
+        refused(r#""format": "carom-shot/1""#, &with, "format", &[what]);
+    }
     let later = r#""format": "carom-shot/2", "players": 2"#;
     refused(r#""format": "carom-shot/1""#, later, "format", &["carom-shot/2"]);
 }
