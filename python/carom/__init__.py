@@ -48,7 +48,16 @@ from carom.plan import (
     pot_map,
     solve,
 )
-from carom.player import Analysis, Decision, Leave, Play, Player, Recommendation, players
+from carom.player import (
+    Analysis,
+    Decision,
+    Leave,
+    Play,
+    Player,
+    Recommendation,
+    Situation,
+    players,
+)
 from carom.racks import break_presets, break_shot
 from carom.reference import physics, schema, tables
 from carom.rules import Frame, Ruling, rule_sets
@@ -95,6 +104,7 @@ __all__ = [
     "Recommendation",
     "Ruling",
     "Shot",
+    "Situation",
     "Snapshot",
     "Solution",
     "Strike",

@@ -22,6 +22,9 @@ from carom.trace import Trace
 
 _FORMAT = "carom-frame/1"
 
+#: A frame in Rust that a player sees.
+SeenFrame = _core.Frame
+
 # The fields of a strike that are policies, in the order of `PlayArguments.policy`.
 _POLICIES = ("obstruction", "miscue")
 
@@ -216,7 +219,7 @@ class Frame:
                         play["call"] = Call(**play["call"])
                     cling = play.pop("cling", None)
                     call = play.get("call")
-                    arguments = _arguments(Strike._recorded(strike), **play)
+                    arguments = play_arguments(Strike._recorded(strike), **play)
                     arguments = replace(arguments, cling=cling)
                     self._play(arguments, call, None, 0)
                 except TypeError as error:
@@ -238,11 +241,26 @@ class Frame:
         ``moves``: each with ``play`` (``strike`` in SI units and radians, with ``obstruction`` and
         ``miscue`` where they are not the usual ones; ``cue_ball``, ``call``, ``cling``),
         ``choice`` or ``concede``. ``Frame.replay`` restores the frame; ``pickle`` uses both.
+
+        Raises:
+            InputError: The frame is a player's copy or an environment's, which has no record.
         """
+        if not self._setup:
+            raise InputError(
+                "record: this frame is a copy for a player, without its seed and its moves; "
+                "use frame.copy() to try a shot, or keep frame.to_dict()"
+            )
         return deepcopy({"format": _FORMAT, "setup": self._setup, "moves": self._moves})
 
     def __reduce__(self) -> tuple[Any, tuple[dict[str, Any]]]:
         return Frame.replay, (self.record,)
+
+    @classmethod
+    def _seen(cls, core: SeenFrame) -> Frame:
+        """A frame that a player sees: it has no seed and no record."""
+        frame = Frame.__new__(cls)
+        frame._core, frame._setup, frame._moves = core, {}, []
+        return frame
 
     def copy(self) -> Frame:
         """A copy of the frame, for example to try a shot."""
@@ -380,7 +398,7 @@ class Frame:
         Raises:
             InputError: As for ``play``.
         """
-        return Shot._wrap(self._core.shot(_arguments(strike, cue_ball, call)))
+        return Shot._wrap(self._core.shot(play_arguments(strike, cue_ball, call)))
 
     def play(
         self,
@@ -421,7 +439,7 @@ class Frame:
         """
         if noise is not None:
             instance("noise", noise, Noise, 'carom.Noise.preset("club")')
-        arguments = _arguments(strike, cue_ball, call)
+        arguments = play_arguments(strike, cue_ball, call)
         return self._play(arguments, read_call(call), noise, _seeds(seed))
 
     def answer(
@@ -530,11 +548,16 @@ def _seeds(seed: int | Sequence[int]) -> int | tuple[int, int]:
     return whole("seed", seed)
 
 
-def _arguments(
+def play_arguments(
     strike: Strike | Mapping[str, Any],
     cue_ball: Sequence[float] | None = None,
     call: Call | Mapping[str, Any] | None = None,
 ) -> PlayArguments:
+    """A play in the form that Rust reads.
+
+    Raises:
+        InputError: A value has the wrong type.
+    """
     if isinstance(strike, Mapping):
         strike = Strike.from_dict(strike)
     instance("strike", strike, Strike, "carom.Strike(speed=2.0, azimuth=1.57)")

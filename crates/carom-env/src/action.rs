@@ -28,14 +28,24 @@ fn bounded(action: f32) -> f64 {
     if action.is_nan() { 0.0 } else { f64::from(action).clamp(-1.0, 1.0) }
 }
 
-/// The strike of `action`, with noise `draw`: the seed and the number of the draw. None if the cue
+/// The draw of the errors of a strike.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct StrikeDraw {
+    pub(crate) seed: u64,
+    /// Number of the variant of this seed.
+    pub(crate) index: u64,
+    /// Whether the agent strikes, or its opponent.
+    pub(crate) is_agent: bool,
+}
+
+/// The strike of `action`, with the errors of `draw`. None if the cue
 /// ball is in hand and there is no free place for it.
 pub(crate) fn strike(
     config: &Config,
     episode: &dyn Episode,
     turn: &Turn,
     action: &[f32],
-    draw: (u64, u64),
+    draw: StrikeDraw,
 ) -> Option<NoisyStrike> {
     let a = |k: usize| bounded(action.get(k).copied().unwrap_or(0.0));
     let cue_ball = match turn.hand {
@@ -79,18 +89,18 @@ fn relative(episode: &dyn Episode, turn: &Turn, from: [f64; 2], across: f64) -> 
 }
 
 /// `intended`, and the place of a cue ball in hand, with the noise of the shooter
-/// ([`carom::Noise::draw`]). `draw`: the seed and the number of the draw.
+/// ([`carom::Noise::draw`]).
 pub(crate) fn with_noise(
     config: &Config,
     episode: &dyn Episode,
     turn: &Turn,
     (cue_ball, intended): (Option<[f64; 2]>, Strike),
-    draw: (u64, u64),
+    draw: StrikeDraw,
 ) -> NoisyStrike {
-    let noise = config.noise_of(turn.player);
+    let noise = config.noise_of(draw.is_agent);
     let ball = &episode.balls()[usize::from(turn.cue)].ball;
     let struck = StruckBall::of(episode.base(), ball);
-    let actual = noise.draw(&intended, &struck, draw.0, draw.1);
-    let cling = noise.draw_cling(draw.0, draw.1);
+    let actual = noise.draw(&intended, &struck, draw.seed, draw.index);
+    let cling = noise.draw_cling(draw.seed, draw.index);
     NoisyStrike { intended, actual, cling, cue_ball, call: None }
 }

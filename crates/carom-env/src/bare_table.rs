@@ -7,9 +7,10 @@ use carom::format::{Node, SHOT_FORMAT};
 use carom::math::Vec3;
 use carom::shot::PlacedBall;
 use carom::{BallState, Error, MotionState, Shot, Simulator};
-use carom_rules::{BallIndex, FrameBall, through_degrees};
+use carom_rules::{BallIndex, FrameBall, StateBytes, through_degrees};
 
-use crate::episode::NoisyStrike;
+use crate::config::Config;
+use crate::episode::{EpisodeStart, NoisyStrike, check_same_place};
 
 /// A place inside every table (file frame, m), for the only ball of the base shot.
 const INSIDE: [f64; 2] = [0.25, 0.25];
@@ -45,6 +46,53 @@ impl BareTable {
         Ok(Self { base, balls, places })
     }
 
+    /// Places the balls of `start`. Balls that it lacks are off the table.
+    pub(crate) fn start_at(&mut self, start: &EpisodeStart, config: &Config) -> Result<(), Error> {
+        let EpisodeStart::Shot(shot) = start else {
+            let remedy = "give a shot, or a dict of one";
+            return Err(Error::input("shot", "the task has no frames", remedy));
+        };
+        check_same_place(&self.base, shot, config)?;
+        self.places.fill(None);
+        for (i, PlacedBall { id, ball, state }) in shot.balls().iter().enumerate() {
+            let ids =
+                || self.balls.iter().map(|own| own.id.as_str()).collect::<Vec<_>>().join(", ");
+            let wrong = |key: &str, what: String, remedy: String| {
+                Err(Error::input(format!("balls[{i}]{key}"), what, remedy))
+            };
+            let Some(index) = self.balls.iter().position(|own| own.id == *id) else {
+                let remedy =
+                    format!("write one of {}, or make the environment with more balls", ids());
+                return wrong(".id", format!("the task has no ball \"{id}\""), remedy);
+            };
+            if *ball != self.balls[index].ball {
+                return wrong(
+                    "",
+                    "its mass or radius is not the task's".into(),
+                    "leave them out".into(),
+                );
+            }
+            if state.motion != MotionState::Stationary {
+                return wrong("", "it moves".into(), "leave out its velocities".into());
+            }
+            self.places[index] = Some([state.position.x, state.position.y]);
+        }
+        Ok(())
+    }
+
+    /// Appends the places of the balls.
+    pub(crate) fn write_to(&self, out: &mut Vec<u8>) {
+        self.places.iter().for_each(|place| place.write_to(out));
+    }
+
+    /// Replaces the places by those that `bytes` begin with.
+    pub(crate) fn read_from(&mut self, bytes: &mut &[u8]) -> Option<()> {
+        for place in &mut self.places {
+            *place = StateBytes::read_from(bytes)?;
+        }
+        Some(())
+    }
+
     /// Plays `strike` on ball `cue` and moves the balls to where they come to rest.
     pub(crate) fn play(
         &mut self,
@@ -52,6 +100,7 @@ impl BareTable {
         cue: BallIndex,
         strike: &NoisyStrike,
         recorder: &mut impl Recorder,
+        shots: Option<&mut Vec<Shot>>,
     ) -> Result<(), Error> {
         let on_table = |ball: &usize| self.places[*ball].is_some();
         let balls: Vec<usize> = (0..self.balls.len()).filter(on_table).collect();
@@ -68,6 +117,7 @@ impl BareTable {
             shot = shot.with_cling(strike.cling);
         }
         let summary = simulator.play(&shot, recorder)?;
+        shots.into_iter().for_each(|shots| shots.push(shot.clone()));
         for (i, &ball) in balls.iter().enumerate() {
             let state = simulator.file_state(i, &shot, summary.duration);
             let gone = matches!(state.motion, MotionState::Pocketed | MotionState::OffTable);

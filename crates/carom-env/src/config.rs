@@ -1,10 +1,10 @@
 //! The settings of an environment.
 
-use carom::format::Node;
 use carom::{Error, Noise};
-use carom_rules::{Options, Rules, Seat};
+use carom_rules::{Options, Rules};
 
-use crate::modes::{Aim, Autoreset, Opponent, TargetBall};
+use crate::modes::{AgentSeat, Aim, Autoreset, Opponent, Outside, TargetBall};
+use crate::setup::{Setup, Variable};
 use crate::task::Task;
 
 /// Largest cue speed, m/s. The fastest breaks that were measured are near 15 m/s.
@@ -12,9 +12,6 @@ const FASTEST: f64 = 15.0;
 
 /// Largest intended elevation, rad (80°). Players do not hold a cue closer to upright.
 const STEEPEST: f64 = 1.396;
-
-/// The seat of an agent that has an opponent.
-pub(crate) const AGENT: Seat = 0;
 
 /// The reward for a shot.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -74,8 +71,10 @@ pub struct Config {
     pub speed: [f64; 2],
     /// Largest elevation of the cue, rad.
     pub elevation: f64,
-    /// The player of seat 1.
+    /// The player of the other seat.
     pub opponent: Opponent,
+    /// The agent's seat, if it has an opponent.
+    pub seat: AgentSeat,
     /// Smallest and largest number of object balls that are placed at random at the start. If none:
     /// potting has one ball, and a game starts with its rack. With random balls a game continues as
     /// after [`carom_rules::Frame::resume_at`]. In snooker these are the reds (0 to 15; the colours
@@ -83,10 +82,10 @@ pub struct Config {
     pub balls: Option<[usize; 2]>,
     /// Which ball must be potted in the potting task.
     pub target_ball: TargetBall,
-    /// The table, as in a shot file; `None` for the task's own.
-    pub table: Option<Node>,
-    /// The physics, as in a shot file; `None` for the table's own.
-    pub physics: Option<Node>,
+    /// The tables and the physics of the environments in their order; one for all of them.
+    pub setups: Vec<Setup>,
+    /// Numbers of the physics and of the table that every episode draws.
+    pub randomize: Vec<Variable>,
     /// The options of the game.
     pub options: Options,
     /// The reward for a shot.
@@ -95,6 +94,8 @@ pub struct Config {
     pub max_steps: Option<u32>,
     /// When the next episode begins.
     pub autoreset: Autoreset,
+    /// Whether the shots of a step are kept, for traces ([`crate::VectorEnv::shots`]).
+    pub traces: bool,
     /// Number of threads; `None` for all cores.
     pub threads: Option<usize>,
 }
@@ -113,22 +114,24 @@ impl Config {
             speed: [0.2, 8.0],
             elevation: 0.5,
             opponent: Opponent::default(),
+            seat: AgentSeat::default(),
             balls: None,
             target_ball: TargetBall::default(),
-            table: None,
-            physics: None,
+            setups: vec![Setup::default()],
+            randomize: Vec::new(),
             options: Options { points, ..Options::default() },
             rewards: Rewards::of(task),
             max_steps: None,
             autoreset: Autoreset::default(),
+            traces: false,
             threads: None,
         }
     }
 
-    /// The noise of the strikes of `seat`.
-    pub(crate) fn noise_of(&self, seat: Seat) -> Noise {
+    /// The noise of the strikes of the agent, or of its opponent.
+    pub(crate) fn noise_of(&self, is_agent: bool) -> Noise {
         match &self.opponent {
-            Opponent::Player(player) if seat != AGENT => player.noise().unwrap_or(self.noise),
+            Opponent::Player(player) if !is_agent => player.noise().unwrap_or(self.noise),
             _ => self.noise,
         }
     }
@@ -167,6 +170,20 @@ impl Config {
                 "opponent",
                 format!("{} plays games with a referee, not {}", player.name(), task.name()),
                 "write none, random or potter, or choose a game",
+            ));
+        }
+        if task == Task::SumToThree && self.opponent == Opponent::Outside(Outside::Player) {
+            return Err(Error::input(
+                "opponent",
+                "a player with choose() plays games with a referee, not sum-to-three",
+                "give a policy: a function from observations to actions",
+            ));
+        }
+        if self.opponent == Opponent::None && self.seat != AgentSeat::First {
+            return Err(Error::input(
+                "seat",
+                "without an opponent the agent has both seats",
+                "leave it out, or give an opponent",
             ));
         }
         self.check_balls(task)

@@ -1,26 +1,35 @@
 //! One environment.
 
-use carom::Error;
-use carom_mind::Answer;
-use carom_rules::{FrameSimulator, Seat, Turn};
+use std::sync::Arc;
 
-use crate::config::{AGENT, Config};
-use crate::episode::{Ending, Episode, NoisyStrike, ShotResult};
+use carom::resolve::cue_ball::Strike;
+use carom::{Error, Shot};
+use carom_mind::Answer;
+use carom_rules::{Fouls, FrameSimulator, Seat, StateBytes, Turn, through_degrees};
+
+use crate::action::{self, StrikeDraw};
+use crate::config::Config;
+use crate::episode::{Ending, Episode, EpisodeStart, NoisyStrike, ShotResult};
 use crate::frame::FrameEpisode;
-use crate::modes::Opponent;
+use crate::modes::{Opponent, Outside};
 use crate::potting::Potting;
 use crate::random::{decision_seed, episode_seed};
+use crate::setup::Setup;
 use crate::sum_to_three::SumToThree;
 use crate::task::Task;
 use crate::worker::Worker;
-use crate::{action, observe, opponent};
+use crate::{observe, opponent};
 
-/// A new episode of `task`.
-pub(crate) fn episode(task: Task, config: &Config) -> Result<Box<dyn Episode>, Error> {
+/// A new episode of `task` with this table and physics.
+pub(crate) fn episode(
+    task: Task,
+    config: &Config,
+    setup: &Setup,
+) -> Result<Box<dyn Episode>, Error> {
     Ok(match task {
-        Task::Potting => Box::new(Potting::new(config)?),
-        Task::Game(rules) => Box::new(FrameEpisode::new(rules, config)?),
-        Task::SumToThree => Box::new(SumToThree::new(config)?),
+        Task::Potting => Box::new(Potting::new(config, setup)?),
+        Task::Game(rules) => Box::new(FrameEpisode::new(rules, config, setup)?),
+        Task::SumToThree => Box::new(SumToThree::new(config, setup)?),
     })
 }
 
@@ -34,6 +43,23 @@ pub(crate) struct StepResult {
     pub(crate) legal: bool,
     /// Balls that the agent potted.
     pub(crate) potted: u32,
+    /// The fouls of the agent's shot.
+    pub(crate) fouls: Fouls,
+    /// The agent's strike as it was played; none if none was.
+    pub(crate) strike: Option<Strike>,
+    /// The winner of an episode that ended.
+    pub(crate) winner: Option<Seat>,
+    /// Why the episode ended; none if it goes on.
+    pub(crate) why: Option<&'static str>,
+}
+
+/// What an opponent outside this crate answers.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reply {
+    /// An action, as an agent gives it.
+    Action(Vec<f32>),
+    /// The answer of a player to the frame's request.
+    Answer(Answer),
 }
 
 /// One environment.
@@ -52,10 +78,20 @@ pub(crate) struct Environment {
     pub(crate) ended: bool,
     /// The seat that shot last.
     shooter: Seat,
+    /// The seat of the agent, if it has an opponent.
+    agent: Seat,
+    /// Table and physics before anything is drawn.
+    setup: Arc<Setup>,
+    /// The variables of this episode, in the order of the settings.
+    pub(crate) drawn: Vec<f64>,
+    /// The step in progress. Before the first step it has the reward of the opponent's opening.
+    step: StepResult,
+    /// The shots of the last step, if the settings ask for them.
+    pub(crate) shots: Vec<Shot>,
 }
 
 impl Environment {
-    pub(crate) fn new(episode: Box<dyn Episode>, seed: u64) -> Self {
+    pub(crate) fn new(episode: Box<dyn Episode>, setup: Arc<Setup>, seed: u64) -> Self {
         Self {
             seed,
             number: 0,
@@ -65,29 +101,72 @@ impl Environment {
             episode,
             ended: true,
             shooter: 0,
+            agent: 0,
+            setup,
+            drawn: Vec::new(),
+            step: StepResult::default(),
+            shots: Vec::new(),
         }
     }
 
     /// Begins the first episode of `seed`.
-    pub(crate) fn seed(&mut self, seed: u64) -> Result<(), Error> {
+    pub(crate) fn seed(
+        &mut self,
+        config: &Config,
+        seed: u64,
+        start: Option<&EpisodeStart>,
+    ) -> Result<(), Error> {
         (self.seed, self.number) = (seed, 0);
-        self.begin()
+        self.begin(config, start)
     }
 
     /// Begins the next episode.
-    pub(crate) fn next_episode(&mut self) -> Result<(), Error> {
+    pub(crate) fn next_episode(
+        &mut self,
+        config: &Config,
+        start: Option<&EpisodeStart>,
+    ) -> Result<(), Error> {
         self.number += 1;
-        self.begin()
+        self.begin(config, start)
     }
 
-    fn begin(&mut self) -> Result<(), Error> {
+    fn begin(&mut self, config: &Config, start: Option<&EpisodeStart>) -> Result<(), Error> {
         self.episode_seed = episode_seed(self.seed, self.number);
         (self.steps, self.moves) = (0, 0);
-        self.shooter = 0;
+        self.step = StepResult::default();
+        self.shots.clear();
         self.ended = true;
+        self.agent = config.seat.of(self.episode_seed, self.number);
+        self.draw(config)?;
+        self.set_chooser(config);
         self.episode.restart(self.episode_seed)?;
+        if let Some(start) = start {
+            self.episode.start_at(start, config)?;
+        }
+        self.shooter = self.episode.turn().map_or(0, |turn| turn.player);
         self.ended = false;
         Ok(())
+    }
+
+    /// Draws the variables of this episode, if the settings have any, and changes table and physics.
+    fn draw(&mut self, config: &Config) -> Result<(), Error> {
+        if config.randomize.is_empty() {
+            return Ok(());
+        }
+        let Self { episode, setup, .. } = self;
+        let accepts = |setup: &Setup| episode.set_up(setup, config);
+        self.drawn = setup.draw(&config.randomize, self.episode_seed, accepts)?;
+        Ok(())
+    }
+
+    fn set_chooser(&mut self, config: &Config) {
+        self.episode.set_chooser(config.opponent.answers_choices().then_some(1 - self.agent));
+    }
+
+    /// Other errors of strikes and other racks from here on.
+    pub(crate) fn reseed(&mut self, seed: u64) {
+        self.episode_seed = episode_seed(seed, 0);
+        self.episode.reseed(self.episode_seed);
     }
 
     /// The next shot; none after the end of the episode.
@@ -99,7 +178,7 @@ impl Environment {
     pub(crate) fn viewer(&self, config: &Config) -> Seat {
         match &config.opponent {
             Opponent::None => self.episode.turn().map_or(self.shooter, |turn| turn.player),
-            _ => AGENT,
+            _ => self.agent,
         }
     }
 
@@ -114,55 +193,134 @@ impl Environment {
         worker: &mut Worker,
         action: &[f32],
     ) -> StepResult {
-        let mut step = StepResult::default();
-        let Some(turn) = self.next() else {
-            self.ended = true;
-            return StepResult { truncated: true, ..step };
-        };
-        let (episode, draw) = (&*self.episode, (self.episode_seed, self.moves));
-        let strike = action::strike(config, episode, turn, action, draw);
-        let agent = turn.player;
-        if let Some(result) = self.play(config, &mut worker.simulator, strike, &mut step) {
-            step.reward = self.reward(config, agent, &result);
-            step.legal = result.legal;
-            step.potted = result.potted;
-            self.reply(config, worker, &mut step);
+        self.begin_step(config, worker, action);
+        self.end_step(config)
+    }
+
+    /// Plays `action`, and the reply of an opponent that is not outside.
+    pub(crate) fn begin_step(&mut self, config: &Config, worker: &mut Worker, action: &[f32]) {
+        let reward = if self.steps == 0 { self.step.reward } else { 0.0 };
+        self.step = StepResult { reward, ..StepResult::default() };
+        self.shots.clear();
+        let Some(turn) = self.next() else { return };
+        let (episode, agent) = (&*self.episode, turn.player);
+        let strike = action::strike(config, episode, turn, action, self.errors_of_agent());
+        if let Some(strike) = &strike {
+            self.step.strike = Some(through_degrees(&strike.actual));
         }
-        match self.episode.ending() {
-            Some(Ending::Stalemate) => step.truncated = true,
-            Some(Ending::Won(_) | Ending::Drawn) => step.terminated = !step.truncated,
+        if let Some(result) = self.play(config, &mut worker.simulator, strike) {
+            self.step.reward += self.reward(config, agent, &result);
+            self.step.legal = result.legal;
+            self.step.potted = result.potted;
+            self.step.fouls = result.fouls;
+            self.reply(config, worker);
+        }
+    }
+
+    /// Completes a step, once the opponent has replied.
+    pub(crate) fn end_step(&mut self, config: &Config) -> StepResult {
+        if self.ended {
+            self.step.truncated = true;
+            return self.step;
+        }
+        let ending = self.episode.ending();
+        match ending {
+            Some(Ending::Stalemate) => self.step.truncated = true,
+            Some(Ending::Won(_) | Ending::Drawn) => self.step.terminated = !self.step.truncated,
             None => {}
         }
         self.steps += 1;
-        step.truncated |=
-            !step.terminated && config.max_steps.is_some_and(|most| self.steps >= most);
+        let step = &mut self.step;
+        let is_last = config.max_steps.is_some_and(|most| self.steps >= most);
+        step.truncated |= !step.terminated && is_last;
         self.ended = step.terminated || step.truncated;
-        step
+        if self.ended {
+            step.why = Some(self.episode.why().unwrap_or("the limit of steps was reached"));
+            step.winner = match ending {
+                Some(Ending::Won(winner)) => Some(winner),
+                _ => None,
+            };
+        }
+        self.step
     }
 
-    /// The opponent shoots until it is the agent's turn, or the frame is over.
-    fn reply(&mut self, config: &Config, worker: &mut Worker, step: &mut StepResult) {
+    const fn errors_of_agent(&self) -> StrikeDraw {
+        StrikeDraw { seed: self.episode_seed, index: self.moves, is_agent: true }
+    }
+
+    const fn errors_of_opponent(&self) -> StrikeDraw {
+        StrikeDraw { seed: self.episode_seed, index: self.moves, is_agent: false }
+    }
+
+    /// The strike of `action` as the agent intends it, if it plays now.
+    pub(crate) fn intended(&self, config: &Config, action: &[f32]) -> Option<NoisyStrike> {
+        action::strike(config, &*self.episode, self.next()?, action, self.errors_of_agent())
+    }
+
+    /// Whether an opponent outside this crate has to answer next.
+    pub(crate) fn waits(&self, config: &Config) -> bool {
+        let asked = match &config.opponent {
+            Opponent::Outside(Outside::Policy) => self.episode.turn().map(|turn| turn.player),
+            Opponent::Outside(Outside::Player) => {
+                self.episode.frame().and_then(carom_rules::Frame::player)
+            }
+            _ => return false,
+        };
+        !self.ended && asked == Some(1 - self.agent)
+    }
+
+    /// The seat that an opponent has.
+    pub(crate) const fn opponent(&self) -> Seat {
+        1 - self.agent
+    }
+
+    /// Plays one answer of an opponent outside.
+    pub(crate) fn answer(&mut self, config: &Config, worker: &mut Worker, reply: &Reply) {
+        let result = match reply {
+            Reply::Action(action) => {
+                let Some(turn) = self.next() else { return };
+                let draw = self.errors_of_opponent();
+                let strike = action::strike(config, &*self.episode, turn, action, draw);
+                self.play(config, &mut worker.simulator, strike)
+            }
+            Reply::Answer(answer) => self.take(config, &mut worker.simulator, Some(*answer)),
+        };
+        self.charge(config, result);
+    }
+
+    /// Subtracts what the opponent earned with its move. Whether it made one.
+    fn charge(&mut self, config: &Config, result: Option<ShotResult>) -> bool {
+        if let Some(result) = &result {
+            self.step.reward -= self.reward(config, self.opponent(), result);
+        }
+        result.is_some()
+    }
+
+    /// The opponent shoots until it is the agent's turn, or the frame is over. An opponent outside is
+    /// left to the caller.
+    pub(crate) fn reply(&mut self, config: &Config, worker: &mut Worker) {
         loop {
             let result = match &config.opponent {
-                Opponent::None => return,
+                Opponent::None | Opponent::Outside(_) => return,
                 Opponent::Random | Opponent::Potter => {
-                    let turn = self.episode.turn().filter(|turn| turn.player != AGENT);
+                    let turn = self.episode.turn().filter(|turn| turn.player != self.agent);
                     let Some(turn) = turn else { return };
-                    let draw = (self.episode_seed, self.moves);
+                    let draw = self.errors_of_opponent();
                     let strike = opponent::strike(config, &*self.episode, turn, draw);
-                    self.play(config, &mut worker.simulator, strike, step)
+                    self.play(config, &mut worker.simulator, strike)
                 }
                 Opponent::Player(_) => {
                     let frame = self.episode.frame();
-                    let asked = frame.filter(|frame| frame.player() == Some(1 - AGENT));
+                    let asked = frame.filter(|frame| frame.player() == Some(self.opponent()));
                     let Some(frame) = asked else { return };
                     let seed = decision_seed(self.episode_seed, self.moves);
-                    let answer = worker.decide(config, frame, seed);
-                    self.take(config, &mut worker.simulator, answer, step)
+                    let answer = worker.decide(config, frame, self.agent, seed);
+                    self.take(config, &mut worker.simulator, answer)
                 }
             };
-            let Some(result) = result else { return };
-            step.reward -= self.reward(config, 1 - AGENT, &result);
+            if !self.charge(config, result) {
+                return;
+            }
         }
     }
 
@@ -173,21 +331,20 @@ impl Environment {
         config: &Config,
         simulator: &mut FrameSimulator,
         answer: Option<Answer>,
-        step: &mut StepResult,
     ) -> Option<ShotResult> {
-        let draw = (self.episode_seed, self.moves);
         let choice = match answer {
             Some(Answer::Play(play)) => {
+                let draw = self.errors_of_opponent();
                 let strike = opponent::strike_of_play(config, &*self.episode, &play, draw);
-                return self.play(config, simulator, strike, step);
+                return self.play(config, simulator, strike);
             }
             Some(Answer::Choice(choice)) => Some(choice),
             Some(Answer::Concede) => None,
-            None => return self.play(config, simulator, None, step),
+            None => return self.play(config, simulator, None),
         };
         self.moves += 1;
         let result = self.episode.choose(choice).ok();
-        fail_without(result, config, step)
+        self.fail_without(result, config)
     }
 
     /// Plays a strike. One that cannot be played truncates the episode.
@@ -196,12 +353,21 @@ impl Environment {
         config: &Config,
         simulator: &mut FrameSimulator,
         strike: Option<NoisyStrike>,
-        step: &mut StepResult,
     ) -> Option<ShotResult> {
         self.shooter = self.episode.turn().map_or(self.shooter, |turn| turn.player);
         self.moves += 1;
-        let result = strike.and_then(|strike| self.episode.play(simulator, &strike).ok());
-        fail_without(result, config, step)
+        let shots = config.traces.then_some(&mut self.shots);
+        let result = strike.and_then(|strike| self.episode.play(simulator, &strike, shots).ok());
+        self.fail_without(result, config)
+    }
+
+    /// `result`; without one the step is a failure.
+    fn fail_without(&mut self, result: Option<ShotResult>, config: &Config) -> Option<ShotResult> {
+        if result.is_none() {
+            self.step.truncated = true;
+            self.step.reward += config.rewards.failure;
+        }
+        result
     }
 
     /// The reward of `seat` for its shot.
@@ -216,19 +382,36 @@ impl Environment {
         let points = result.points[seat] - result.points[1 - seat];
         won + foul + rewards.pot * f64::from(result.potted) + rewards.point * f64::from(points)
     }
-}
 
-/// `result`; without one the step is a failure.
-fn fail_without(
-    result: Option<ShotResult>,
-    config: &Config,
-    step: &mut StepResult,
-) -> Option<ShotResult> {
-    if result.is_none() {
-        step.truncated = true;
-        step.reward += config.rewards.failure;
+    /// Appends the state between two steps.
+    pub(crate) fn write_to(&self, out: &mut Vec<u8>) {
+        let Self { seed, number, episode_seed, steps, moves, ended, shooter, agent, .. } = self;
+        [*seed, *number, *episode_seed, *moves].write_to(out);
+        steps.write_to(out);
+        ended.write_to(out);
+        shooter.write_to(out);
+        agent.write_to(out);
+        self.step.reward.write_to(out);
+        self.episode.write_to(out);
     }
-    result
+
+    /// Replaces the state by that which `bytes` begin with. After `None` the state is undefined.
+    pub(crate) fn read_from(&mut self, config: &Config, bytes: &mut &[u8]) -> Option<()> {
+        [self.seed, self.number, self.episode_seed, self.moves] = StateBytes::read_from(bytes)?;
+        self.steps = StateBytes::read_from(bytes)?;
+        self.ended = StateBytes::read_from(bytes)?;
+        self.shooter = StateBytes::read_from(bytes)?;
+        self.agent = StateBytes::read_from(bytes)?;
+        self.step = StepResult { reward: StateBytes::read_from(bytes)?, ..StepResult::default() };
+        self.shots.clear();
+        // Branches have other seeds, but the table of their episode.
+        let seed = std::mem::replace(&mut self.episode_seed, episode_seed(self.seed, self.number));
+        self.draw(config).ok()?;
+        self.episode_seed = seed;
+        self.set_chooser(config);
+        self.episode.read_from(bytes)?;
+        Some(())
+    }
 }
 
 #[cfg(test)]
@@ -240,13 +423,14 @@ mod tests {
     use carom_mind::{Answer, Budget, Situation};
     use carom_rules::{Choice, Frame, Play, Request, Rules};
 
-    use super::{Environment, StepResult, episode};
-    use crate::action::strike;
+    use super::{Environment, episode};
+    use crate::action::{StrikeDraw, strike};
     use crate::config::Config;
     use crate::episode::{Ending, Episode};
     use crate::modes::Opponent;
     use crate::opponent::strike_of_play;
     use crate::random::{decision_seed, episode_seed};
+    use crate::setup::Setup;
     use crate::task::Task;
     use crate::worker::Worker;
 
@@ -258,7 +442,8 @@ mod tests {
         let task = Task::Game(Rules::NineBall);
         let noise = Noise { elevation: 0.3, ..Noise::preset("beginner").expect("a preset") };
         let config = Config { noise, speed: [0.1, 8.0], elevation: 1.3, ..Config::of(task) };
-        let mut episode: Box<dyn Episode> = episode(task, &config).expect("a task");
+        let mut episode: Box<dyn Episode> =
+            episode(task, &config, &Setup::default()).expect("a task");
         episode.restart(4).expect("a rack");
         let frame = carom_rules::Frame::new(Rules::NineBall, config.options, None, None, 4);
         let frame = frame.expect("the same rack");
@@ -266,7 +451,8 @@ mod tests {
         let mut simulator = Simulator::new();
         let [mut slow, mut steep, mut far] = [0; 3];
         for index in 0..200 {
-            let struck = strike(&config, &*episode, turn, &FAR_OUT, (9, index)).expect("a place");
+            let struck =
+                strike(&config, &*episode, turn, &FAR_OUT, agent(9, index)).expect("a place");
             let play = Play { cue_ball: struck.cue_ball, ..Play::new(struck.intended) };
             let shot = frame.shot(&play).expect("a shot");
             let meant = shot.with_strike(&struck.intended).expect("an intended strike");
@@ -283,13 +469,19 @@ mod tests {
 
     const SEED: u64 = 6;
 
+    const fn agent(seed: u64, index: u64) -> StrikeDraw {
+        StrikeDraw { seed, index, is_agent: true }
+    }
+
     /// The first episode of a game against `opponent`, and its settings without noise for the agent.
     fn against(rules: Rules, opponent: &str) -> (Environment, Config) {
         let task = Task::Game(rules);
         let opponent = Opponent::read(opponent).expect("an opponent");
         let config = Config { opponent, ..Config::of(task) };
-        let mut environment = Environment::new(episode(task, &config).expect("a task"), SEED);
-        environment.seed(SEED).expect("a rack");
+        let setup = Setup::default();
+        let episode = episode(task, &config, &setup).expect("a task");
+        let mut environment = Environment::new(episode, setup.into(), SEED);
+        environment.seed(&config, SEED, None).expect("a rack");
         (environment, config)
     }
 
@@ -300,9 +492,9 @@ mod tests {
     /// The agent's strike of `action`, without the reply.
     fn agent_plays(environment: &mut Environment, config: &Config, action: &[f32]) {
         let turn = *environment.episode.turn().expect("a shot");
-        let strike = strike(config, &*environment.episode, &turn, action, (0, 0));
-        let (mut worker, mut step) = (Worker::new(config), StepResult::default());
-        environment.play(config, &mut worker.simulator, strike, &mut step).expect("it is played");
+        let strike = strike(config, &*environment.episode, &turn, action, agent(0, 0));
+        let mut worker = Worker::new(config);
+        environment.play(config, &mut worker.simulator, strike).expect("it is played");
     }
 
     /// A break too weak to be legal: the other player chooses.
@@ -352,9 +544,9 @@ mod tests {
         }
         let (mut environment, config) = against(Rules::EightBall, "carom:30");
         agent_plays(&mut environment, &config, &WEAK_BREAK);
-        let (mut worker, mut step) = (Worker::new(&config), StepResult::default());
+        let mut worker = Worker::new(&config);
         let answer = Some(Answer::Choice(Choice::Rebreak));
-        let result = environment.take(&config, &mut worker.simulator, answer, &mut step);
+        let result = environment.take(&config, &mut worker.simulator, answer);
         assert!(result.expect("a choice").legal);
         assert_eq!(
             (frame(&environment).player(), frame(&environment).is_opening()),
@@ -366,12 +558,11 @@ mod tests {
     fn a_player_that_concedes_loses() {
         let (mut environment, config) = against(Rules::Snooker, "level-2");
         agent_plays(&mut environment, &config, &WEAK_BREAK);
-        let (mut worker, mut step) = (Worker::new(&config), StepResult::default());
-        let conceded =
-            environment.take(&config, &mut worker.simulator, Some(Answer::Concede), &mut step);
+        let mut worker = Worker::new(&config);
+        let conceded = environment.take(&config, &mut worker.simulator, Some(Answer::Concede));
         assert_eq!(environment.episode.ending(), Some(Ending::Won(0)));
         let reward = environment.reward(&config, 1, &conceded.expect("a concession"));
-        assert_eq!((reward, step.truncated), (-config.rewards.win, false));
+        assert_eq!((reward, environment.step.truncated), (-config.rewards.win, false));
     }
 
     #[test]
@@ -379,10 +570,10 @@ mod tests {
         for answer in [None, Some(Answer::Choice(Choice::Replace))] {
             let (mut environment, config) = against(Rules::EightBall, "carom:30");
             agent_plays(&mut environment, &config, &WEAK_BREAK);
-            let (mut worker, mut step) = (Worker::new(&config), StepResult::default());
-            let result = environment.take(&config, &mut worker.simulator, answer, &mut step);
-            assert!(result.is_none() && step.truncated, "{answer:?}");
-            assert_eq!(step.reward, config.rewards.failure);
+            let mut worker = Worker::new(&config);
+            let result = environment.take(&config, &mut worker.simulator, answer);
+            assert!(result.is_none() && environment.step.truncated, "{answer:?}");
+            assert_eq!(environment.step.reward, config.rewards.failure);
         }
     }
 
@@ -391,21 +582,25 @@ mod tests {
         for (name, is_own) in [("level-1", true), ("carom", false), ("potter", false)] {
             let (mut environment, config) = against(Rules::NineBall, name);
             let turn = *environment.episode.turn().expect("a break");
-            let agent = strike(&config, &*environment.episode, &turn, &WEAK_BREAK, (1, 2));
+            let agent = strike(&config, &*environment.episode, &turn, &WEAK_BREAK, agent(1, 2));
             let agent = agent.expect("a place");
             assert_eq!(agent.actual, agent.intended, "{name}");
             agent_plays(&mut environment, &config, &WEAK_BREAK);
             let play = Play::new(agent.intended);
+            let other = StrikeDraw { seed: 1, index: 2, is_agent: false };
             if environment.episode.turn().is_none() {
                 environment.episode.choose(Some(Choice::PlayOn)).expect("a choice");
             }
-            let struck = strike_of_play(&config, &*environment.episode, &play, (1, 2));
+            let struck = strike_of_play(&config, &*environment.episode, &play, other);
             let struck = struck.expect("a shot");
             assert_eq!(struck.intended, play.strike, "{name}");
             assert_eq!(struck.actual != struck.intended, is_own, "{name}");
         }
         let (_, config) = against(Rules::NineBall, "level-1");
         let level = BuiltInPlayer::read("level-1").expect("a level");
-        assert_eq!((config.noise_of(0), Some(config.noise_of(1))), (Noise::NONE, level.noise()));
+        assert_eq!(
+            (config.noise_of(true), Some(config.noise_of(false))),
+            (Noise::NONE, level.noise())
+        );
     }
 }

@@ -4,7 +4,10 @@ use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{BallInSpace, Cling};
 use carom::{Error, Shot};
-use carom_rules::{BallIndex, Call, Choice, Frame, FrameBall, FrameSimulator, Seat, Turn};
+use carom_rules::{BallIndex, Call, Choice, Fouls, Frame, FrameBall, FrameSimulator, Seat, Turn};
+
+use crate::config::Config;
+use crate::setup::Setup;
 
 /// A strike before and after noise.
 #[derive(Clone, Copy, Debug)]
@@ -31,6 +34,8 @@ pub(crate) struct ShotResult {
     pub(crate) potted: u32,
     /// The change of each seat's score.
     pub(crate) points: [i32; 2],
+    /// The fouls.
+    pub(crate) fouls: Fouls,
 }
 
 /// The end of an episode.
@@ -42,6 +47,18 @@ pub(crate) enum Ending {
     Drawn,
     /// There was no progress, or a shot could not be played.
     Stalemate,
+}
+
+/// Why an episode ended in which a shot could not be played.
+pub(crate) const UNPLAYABLE: &str = "a shot could not be played";
+
+/// Where an episode starts, in place of its own start.
+#[derive(Clone, Debug)]
+pub enum EpisodeStart {
+    /// From the balls of a shot on the same table with the same physics, as [`Frame::resume_at`] does.
+    Shot(Shot),
+    /// From a frame of the same game on the same table with the same physics, whatever it asks for next.
+    Frame(Box<Frame>),
 }
 
 /// Scores and fouls, scaled for observations to about 0 to 1.
@@ -75,6 +92,24 @@ pub(crate) trait Episode: Send + Sync {
     fn ball_seen(&self, _viewer: Seat, k: BallIndex) -> BallIndex {
         k
     }
+    /// Why the episode is over; none while it continues.
+    fn why(&self) -> Option<&'static str>;
+    /// Changes the table and the physics, for the next [`Self::restart`].
+    fn set_up(&mut self, setup: &Setup, config: &Config) -> Result<(), Error>;
+    /// Continues from `start`, right after [`Self::restart`].
+    fn start_at(&mut self, start: &EpisodeStart, config: &Config) -> Result<(), Error>;
+    /// The seat that answers its choices itself; none if all choices are answered here.
+    fn set_chooser(&mut self, _chooser: Option<Seat>) {}
+    /// Other racks from here on.
+    fn reseed(&mut self, _seed: u64) {}
+    /// The call that is made for a strike.
+    fn call_of(&self, _simulator: &mut FrameSimulator, _strike: &NoisyStrike) -> Call {
+        Call::Nothing
+    }
+    /// Appends everything that changes during an episode.
+    fn write_to(&self, out: &mut Vec<u8>);
+    /// Replaces the state by that which `bytes` begin with.
+    fn read_from(&mut self, bytes: &mut &[u8]) -> Option<()>;
     /// Starts another episode.
     fn restart(&mut self, seed: u64) -> Result<(), Error>;
     /// The frame to whose requests a player answers; none if the task has no referee, and after a
@@ -88,14 +123,33 @@ pub(crate) trait Episode: Send + Sync {
         Err(Error::input("choice", "the task has no referee", "play a shot"))
     }
     /// Plays a shot, and answers every choice that follows from it, except those of a player. After
-    /// an error the episode is over.
+    /// an error the episode is over. The shot as it was played is added to `shots`.
     fn play(
         &mut self,
         simulator: &mut FrameSimulator,
         strike: &NoisyStrike,
+        shots: Option<&mut Vec<Shot>>,
     ) -> Result<ShotResult, Error>;
     /// A copy.
     fn boxed(&self) -> Box<dyn Episode>;
+}
+
+/// An error if `start` is on another table than `base` or has other physics, unless `config` draws them.
+pub(crate) fn check_same_place(base: &Shot, start: &Shot, config: &Config) -> Result<(), Error> {
+    let wrong = |what: &str, key: &str| {
+        let remedy = format!("make the environment with {key}=, or give balls for its own");
+        Err(Error::input(key, format!("the shot is {what} than the environment"), remedy))
+    };
+    let is_drawn = |of_table: bool| {
+        config.randomize.iter().any(|one| one.path.starts_with("table.") == of_table)
+    };
+    if start.table() != base.table() && !is_drawn(true) {
+        return wrong("on another table", "table");
+    }
+    if start.physics() != base.physics() && !is_drawn(false) {
+        return wrong("with other physics", "physics");
+    }
+    Ok(())
 }
 
 impl Clone for Box<dyn Episode> {

@@ -8,15 +8,18 @@ use carom::{Error, Shot};
 use carom_rules::games::GameState;
 use carom_rules::games::eight_ball::Group;
 use carom_rules::{
-    BallIndex, Call, Choice, Frame, FrameBall, FrameSimulator, Prepared, Request, Rules, Seat,
-    Turn, through_degrees,
+    BallIndex, Call, Choice, Fouls, Frame, FrameBall, FrameSimulator, Prepared, Request, Rules,
+    Seat, StateBytes, Turn, through_degrees,
 };
 
-use crate::config::{AGENT, Config};
-use crate::episode::{Ending, Episode, NoisyStrike, ShotResult, Standing};
-use crate::modes::Opponent;
+use crate::config::Config;
+use crate::episode::{
+    Ending, Episode, EpisodeStart, NoisyStrike, ShotResult, Standing, UNPLAYABLE, check_same_place,
+};
 use crate::placement;
 use crate::random::Dice;
+use crate::setup::Setup;
+use crate::task::Task;
 use crate::task_recorder::TaskRecorder;
 
 const EIGHT: BallIndex = 8;
@@ -47,12 +50,12 @@ pub(crate) struct FrameEpisode {
 }
 
 impl FrameEpisode {
-    pub(crate) fn new(rules: Rules, config: &Config) -> Result<Self, Error> {
-        let (table, physics) = (config.table.clone(), config.physics.clone());
+    pub(crate) fn new(rules: Rules, config: &Config, setup: &Setup) -> Result<Self, Error> {
+        let table = setup.table.clone().unwrap_or_else(|| Task::Game(rules).table().into());
+        let (table, physics) = (Some(table), setup.physics.clone());
         let frame = Frame::new(rules, config.options, table, physics, 0)?;
-        let chooser = matches!(config.opponent, Opponent::Player(_)).then_some(1 - AGENT);
         let (points, balls) = (config.options.points, config.balls);
-        Ok(Self { frame, points, balls, chooser, failed: false })
+        Ok(Self { frame, points, balls, chooser: None, failed: false })
     }
 
     /// Whether the shooter may pot `ball` in this turn.
@@ -121,6 +124,7 @@ impl FrameEpisode {
         &mut self,
         simulator: &mut FrameSimulator,
         strike: &NoisyStrike,
+        shots: Option<&mut Vec<Shot>>,
     ) -> Result<ShotResult, Error> {
         let Some(turn) = self.frame.turn().copied() else {
             return Err(Error::input("step", "the episode is over", "reset the environment"));
@@ -139,6 +143,10 @@ impl FrameEpisode {
             let clung = prepared.shot().with_cling(strike.cling);
             simulator.simulate_shot(&prepared, &clung, &actual, &mut NullRecorder)?;
         }
+        if let Some(shots) = shots {
+            let shot = prepared.shot().with_cling(strike.cling).with_strike(&actual)?;
+            shots.push(shot);
+        }
         let mut successor = self.frame.clone();
         let ruling = simulator.rule(&prepared, call, &mut successor)?;
         let legal = ruling.is_legal();
@@ -147,7 +155,7 @@ impl FrameEpisode {
         let potted = if legal { pocketed.iter().filter(may_pot).count() as u32 } else { 0 };
         self.frame = successor;
         self.answer_choices()?;
-        Ok(ShotResult { legal, potted, points: ruling.points })
+        Ok(ShotResult { legal, potted, points: ruling.points, fouls: ruling.fouls })
     }
 
     fn try_choose(&mut self, choice: Option<Choice>) -> Result<ShotResult, Error> {
@@ -156,7 +164,7 @@ impl FrameEpisode {
             None => self.frame.concede()?,
         };
         self.answer_choices()?;
-        Ok(ShotResult { legal: true, potted: 0, points: ruling.points })
+        Ok(ShotResult { legal: true, potted: 0, points: ruling.points, fouls: Fouls::NONE })
     }
 }
 
@@ -222,6 +230,73 @@ impl Episode for FrameEpisode {
         }
     }
 
+    fn why(&self) -> Option<&'static str> {
+        match self.frame.request() {
+            _ if self.failed => Some(UNPLAYABLE),
+            Request::Over { why, .. } => Some(why),
+            _ => None,
+        }
+    }
+
+    fn set_up(&mut self, setup: &Setup, config: &Config) -> Result<(), Error> {
+        *self = Self::new(self.frame.rules(), config, setup)?;
+        Ok(())
+    }
+
+    fn start_at(&mut self, start: &EpisodeStart, config: &Config) -> Result<(), Error> {
+        match start {
+            EpisodeStart::Shot(shot) => {
+                check_same_place(self.frame.base(), shot, config)?;
+                let places = self.frame.places_of(shot)?;
+                self.frame.resume_at(&places, 0)?;
+            }
+            EpisodeStart::Frame(frame) => {
+                let wrong = |what: String, remedy| Err(Error::input("frame", what, remedy));
+                let rules = self.frame.rules();
+                if frame.rules() != rules {
+                    let what = format!("it is {}, not {}", frame.rules().name(), rules.name());
+                    return wrong(what, "give a frame of the environment's game");
+                }
+                check_same_place(self.frame.base(), frame.base(), config)?;
+                if frame.is_over() {
+                    return wrong("it is over".into(), "give one that asks for a shot or a choice");
+                }
+                let counts = matches!(rules, Rules::StraightPool | Rules::ThreeCushion);
+                if counts && frame.options().points != self.points {
+                    let what = format!("it is to {} points", frame.options().points);
+                    return wrong(what, "make the environment with the same points=");
+                }
+                self.frame.clone_from(frame);
+            }
+        }
+        self.answer_choices()
+    }
+
+    fn set_chooser(&mut self, chooser: Option<Seat>) {
+        self.chooser = chooser;
+    }
+
+    fn reseed(&mut self, seed: u64) {
+        self.frame.reseed(seed);
+    }
+
+    fn call_of(&self, simulator: &mut FrameSimulator, strike: &NoisyStrike) -> Call {
+        let prepared = Prepared::new(&self.frame, strike.cue_ball);
+        let intended = through_degrees(&strike.intended);
+        prepared.map_or(Call::Nothing, |prepared| self.call(simulator, &prepared, &intended))
+    }
+
+    fn write_to(&self, out: &mut Vec<u8>) {
+        self.failed.write_to(out);
+        self.frame.write_to(out);
+    }
+
+    fn read_from(&mut self, bytes: &mut &[u8]) -> Option<()> {
+        self.failed = StateBytes::read_from(bytes)?;
+        self.frame = self.frame.read_same(bytes)?;
+        Some(())
+    }
+
     fn restart(&mut self, seed: u64) -> Result<(), Error> {
         self.frame = self.frame.with_seed(seed)?;
         self.failed = false;
@@ -260,8 +335,9 @@ impl Episode for FrameEpisode {
         &mut self,
         simulator: &mut FrameSimulator,
         strike: &NoisyStrike,
+        shots: Option<&mut Vec<Shot>>,
     ) -> Result<ShotResult, Error> {
-        let result = self.try_play(simulator, strike);
+        let result = self.try_play(simulator, strike, shots);
         self.failed |= result.is_err();
         result
     }

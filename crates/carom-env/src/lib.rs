@@ -38,9 +38,9 @@
 //! episode as truncated, with the reward [`Rewards::failure`]. A frame without progress ends by its
 //! rules ([`carom_rules::Options::patience`]).
 //!
-//! Files import downwards only: names ← modes, task ← config ← episode, bare_table, placement,
-//! random, task_recorder ← action ← opponent; frame, potting, sum_to_three, worker ← environment, observe
-//! ← vector.
+//! Files import downwards only: random, names, task_recorder ← setup, modes, task ← config ← episode,
+//! bare_table, observe, placement ← action ← opponent; frame, potting, sum_to_three, worker ←
+//! environment, saved ← vector.
 
 mod action;
 mod bare_table;
@@ -55,6 +55,8 @@ mod opponent;
 mod placement;
 mod potting;
 mod random;
+mod saved;
+mod setup;
 mod sum_to_three;
 mod task;
 mod task_recorder;
@@ -63,8 +65,11 @@ mod worker;
 
 pub use action::{ACTIONS, ACTIONS_WITHOUT_HAND};
 pub use config::{Config, Rewards};
-pub use modes::{Aim, Autoreset, OPPONENT_SIMULATIONS, Opponent, TargetBall};
+pub use environment::Reply;
+pub use episode::EpisodeStart;
+pub use modes::{AgentSeat, Aim, Autoreset, OPPONENT_SIMULATIONS, Opponent, Outside, TargetBall};
 pub use observe::{BALL_FEATURES, FEATURES, POSITION_BOUND, SCORE_BOUND};
+pub use setup::{Setup, Variable, VariableLaw};
 pub use sum_to_three::CUSHIONS;
 pub use task::Task;
-pub use vector::{MAX_ENVIRONMENTS, Transitions, VectorEnv};
+pub use vector::{Answers, Asked, MAX_ENVIRONMENTS, Transitions, VectorEnv};

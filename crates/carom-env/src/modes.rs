@@ -5,7 +5,10 @@ use carom::error::InputError;
 use carom_arena::BuiltInPlayer;
 use carom_mind::Budget;
 
+use carom_rules::Seat;
+
 use crate::names::named;
+use crate::random::Dice;
 
 /// The meaning of the first number of an action.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -43,7 +46,62 @@ impl Aim {
 /// level of strength. A step then takes some milliseconds of one core.
 pub const OPPONENT_SIMULATIONS: u32 = 200;
 
-/// The player of seat 1.
+/// The seat of an agent that has an opponent. Seat 0 begins.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum AgentSeat {
+    /// The agent begins.
+    #[default]
+    First,
+    /// The opponent begins.
+    Second,
+    /// Drawn for every episode, with equal probabilities.
+    Random,
+    /// The agent begins the episodes with an even number: the first of a seed, the third, ...
+    Alternate,
+}
+
+impl AgentSeat {
+    const ALL: [Self; 4] = [Self::First, Self::Second, Self::Random, Self::Alternate];
+
+    /// The name of the mode.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::First => "0",
+            Self::Second => "1",
+            Self::Random => "random",
+            Self::Alternate => "alternate",
+        }
+    }
+
+    /// The mode called `name`.
+    ///
+    /// # Errors
+    /// [`Error::Input`] if there is none.
+    pub fn read(name: &str) -> Result<Self, Error> {
+        named(&Self::ALL, Self::name, "seat", name)
+    }
+
+    /// The agent's seat in episode `number` of its seed.
+    pub(crate) fn of(self, episode_seed: u64, number: u64) -> Seat {
+        match self {
+            Self::First => 0,
+            Self::Second => 1,
+            Self::Random => Dice::of_seat(episode_seed).below(2),
+            Self::Alternate => (number % 2) as Seat,
+        }
+    }
+}
+
+/// Who answers for an opponent outside this crate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Outside {
+    /// A policy: actions for observations. Calls and choices are made for it, as for the agent.
+    Policy,
+    /// A player: it answers everything that its seat is asked.
+    Player,
+}
+
+/// The player of the other seat.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub enum Opponent {
     /// The agent itself: it shoots for both seats, observes the table as the shooter, and is
@@ -58,6 +116,8 @@ pub enum Opponent {
     /// shots with their calls, and choices; and it may concede. A level of strength has its own noise,
     /// the others have the same noise as the agent.
     Player(BuiltInPlayer),
+    /// The caller answers for it: [`crate::VectorEnv::step_against`].
+    Outside(Outside),
 }
 
 impl Opponent {
@@ -73,6 +133,8 @@ impl Opponent {
     pub fn name(&self) -> String {
         match self {
             Self::Player(player) => player.entry().name,
+            Self::Outside(Outside::Policy) => "a policy of your own".into(),
+            Self::Outside(Outside::Player) => "a player of your own".into(),
             simple => simple.stem().into(),
         }
     }
@@ -83,7 +145,13 @@ impl Opponent {
             Self::Random => "random",
             Self::Potter => "potter",
             Self::Player(player) => player.name(),
+            Self::Outside(_) => "",
         }
+    }
+
+    /// Whether it answers choices itself.
+    pub(crate) const fn answers_choices(&self) -> bool {
+        matches!(self, Self::Player(_) | Self::Outside(Outside::Player))
     }
 
     /// The opponent called `name`: `none`, `random`, `potter`, or a built-in player as

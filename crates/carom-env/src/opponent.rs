@@ -4,7 +4,7 @@ use carom::math::{Vec2, atan2};
 use carom::resolve::cue_ball::Strike;
 use carom_rules::{BallIndex, Play, Turn};
 
-use crate::action::{self, ACTIONS};
+use crate::action::{self, ACTIONS, StrikeDraw};
 use crate::config::Config;
 use crate::episode::{Episode, NoisyStrike};
 use crate::modes::Opponent;
@@ -30,15 +30,14 @@ const SAFE: f64 = 2.0;
 /// matters.
 const CLOSE: f64 = 0.3;
 
-/// The strike of the opponent of `config`, with noise `draw`: the seed and the number of the draw. None
-/// if the cue ball is in hand and there is no free place for it.
+/// The strike of the opponent of `config`, with the errors of `draw`. None if the cue ball is in hand and there is no free place for it.
 pub(crate) fn strike(
     config: &Config,
     episode: &dyn Episode,
     turn: &Turn,
-    draw: (u64, u64),
+    draw: StrikeDraw,
 ) -> Option<NoisyStrike> {
-    let mut dice = Dice::of_opponent(draw.0, draw.1);
+    let mut dice = Dice::of_opponent(draw.seed, draw.index);
     if config.opponent == Opponent::Potter {
         let intended = potter(config, episode, turn, &mut dice)?;
         return Some(action::with_noise(config, episode, turn, intended, draw));
@@ -47,13 +46,13 @@ pub(crate) fn strike(
     action::strike(config, episode, turn, &action, draw)
 }
 
-/// The strike of a player's `play`, with noise `draw`, as [`strike`]. None if the episode does not ask for
+/// The strike of a player's `play`, with the errors of `draw`, as [`strike`]. None if the episode does not ask for
 /// a shot.
 pub(crate) fn strike_of_play(
     config: &Config,
     episode: &dyn Episode,
     play: &Play,
-    draw: (u64, u64),
+    draw: StrikeDraw,
 ) -> Option<NoisyStrike> {
     let intended = (play.cue_ball, play.strike);
     let noisy = action::with_noise(config, episode, episode.turn()?, intended, draw);

@@ -1,14 +1,18 @@
 //! The potting task: one shot at randomly placed balls.
 
 use carom::{Error, Shot};
-use carom_rules::{BallIndex, BallList, Calls, FrameBall, FrameSimulator, Turn};
+use carom_rules::{
+    BallIndex, BallList, Calls, Foul, Fouls, FrameBall, FrameSimulator, StateBytes, Turn,
+};
 
 use crate::bare_table::BareTable;
 use crate::config::Config;
-use crate::episode::{Ending, Episode, NoisyStrike, ShotResult, Standing};
+use crate::episode::{Ending, Episode, EpisodeStart, NoisyStrike, ShotResult, Standing};
 use crate::modes::TargetBall;
 use crate::placement;
 use crate::random::Dice;
+use crate::setup::Setup;
+use crate::task::Task;
 use crate::task_recorder::TaskRecorder;
 
 const CUE: BallIndex = 0;
@@ -25,11 +29,11 @@ pub(crate) struct Potting {
 }
 
 impl Potting {
-    pub(crate) fn new(config: &Config) -> Result<Self, Error> {
+    pub(crate) fn new(config: &Config, setup: &Setup) -> Result<Self, Error> {
         let balls = config.balls.unwrap_or([1, 1]);
         let ids = (0..=balls[1]).map(|i| if i == 0 { "cue".into() } else { i.to_string() });
-        let table = config.table.clone().unwrap_or_else(|| "wpa-9ft".into());
-        let table = BareTable::new(table, config.physics.clone(), ids)?;
+        let table = setup.table.clone().unwrap_or_else(|| Task::Potting.table().into());
+        let table = BareTable::new(table, setup.physics.clone(), ids)?;
         if table.base.table().pockets.is_empty() {
             return Err(Error::input(
                 "table",
@@ -40,6 +44,15 @@ impl Potting {
         let turn =
             Turn { player: 0, cue: CUE, hand: None, on: BallList::new(), calls: Calls::default() };
         Ok(Self { table, balls, target_ball: config.target_ball, turn, over: true })
+    }
+
+    /// Determines the balls on: those on the table, or the 1.
+    fn set_targets(&mut self) {
+        let on_table = (1..).zip(&self.table.places[1..]).filter(|(_, place)| place.is_some());
+        self.turn.on = match self.target_ball {
+            TargetBall::Any => on_table.map(|(ball, _)| ball).collect(),
+            TargetBall::Lowest => BallList::from(&[1][..]),
+        };
     }
 }
 
@@ -80,28 +93,70 @@ impl Episode for Potting {
         let BareTable { base, balls, places } = &mut self.table;
         places.fill(None);
         placement::scatter(base.table(), balls, &wanted, places, &mut dice)?;
-        self.turn.on.clear();
-        match self.target_ball {
-            TargetBall::Any => self.turn.on.extend(1..=count as BallIndex),
-            TargetBall::Lowest => self.turn.on.push(1),
-        }
+        self.set_targets();
         self.over = false;
         Ok(())
+    }
+
+    fn why(&self) -> Option<&'static str> {
+        self.over.then_some("the shot was played")
+    }
+
+    fn set_up(&mut self, setup: &Setup, config: &Config) -> Result<(), Error> {
+        *self = Self::new(config, setup)?;
+        Ok(())
+    }
+
+    fn start_at(&mut self, start: &EpisodeStart, config: &Config) -> Result<(), Error> {
+        self.over = true;
+        self.table.start_at(start, config)?;
+        let is_missing = |ball: usize| self.table.places[ball].is_none();
+        let target = match self.target_ball {
+            TargetBall::Any => self.table.places[1..].iter().all(Option::is_none),
+            TargetBall::Lowest => is_missing(1),
+        };
+        if is_missing(CUE.into()) || target {
+            let missing = if target { "a ball to pot" } else { "the cue ball" };
+            let what = format!("{missing} is missing");
+            return Err(Error::input("balls", what, "give the balls \"cue\" and \"1\" at least"));
+        }
+        self.set_targets();
+        self.over = false;
+        Ok(())
+    }
+
+    fn write_to(&self, out: &mut Vec<u8>) {
+        self.table.write_to(out);
+        self.over.write_to(out);
+    }
+
+    fn read_from(&mut self, bytes: &mut &[u8]) -> Option<()> {
+        self.table.read_from(bytes)?;
+        self.set_targets();
+        self.over = StateBytes::read_from(bytes)?;
+        Some(())
     }
 
     fn play(
         &mut self,
         simulator: &mut FrameSimulator,
         strike: &NoisyStrike,
+        shots: Option<&mut Vec<Shot>>,
     ) -> Result<ShotResult, Error> {
         self.over = true;
-        // The balls on the table are 0 to `count`, so their indices are those of the shot.
+        let on_table: BallList =
+            (0..).zip(&self.table.places).filter(|(_, at)| at.is_some()).map(|(i, _)| i).collect();
         let mut recorder = TaskRecorder::new(CUE.into());
-        self.table.play(simulator.simulator_mut(), CUE, strike, &mut recorder)?;
-        let fell = |ball: BallIndex| recorder.pots.iter().any(|(down, _)| *down == ball);
-        let legal = !fell(CUE) && !recorder.left_table;
+        self.table.play(simulator.simulator_mut(), CUE, strike, &mut recorder, shots)?;
+        let fell = |ball: BallIndex| {
+            recorder.pots.iter().any(|(down, _)| on_table[usize::from(*down)] == ball)
+        };
+        let scratch = fell(CUE).then_some(Foul::Scratch);
+        let left = recorder.left_table.then_some(Foul::BallOffTable);
+        let fouls: Fouls = scratch.into_iter().chain(left).collect();
+        let legal = fouls.is_empty();
         let potted = legal && self.turn.on.iter().any(|ball| fell(*ball));
-        Ok(ShotResult { legal, potted: potted.into(), points: [0; 2] })
+        Ok(ShotResult { legal, potted: potted.into(), points: [0; 2], fouls })
     }
 
     fn boxed(&self) -> Box<dyn Episode> {

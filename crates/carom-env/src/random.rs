@@ -7,6 +7,8 @@ use rand_pcg::rand_core::Rng;
 /// PCG's stream for each purpose: arbitrary different constants.
 const LAYOUT: u128 = 0x6361_726f_6d20_6c61_796f;
 const OPPONENT: u128 = 0x6361_726f_6d20_706c_6179;
+const SETUP: u128 = 0x6361_726f_6d20_7365_7475;
+const SEAT: u128 = 0x6361_726f_6d20_7365_6174;
 const DECISION: u128 = 0x6361_726f_6d20_6d69_6e64;
 
 /// 2⁶⁴ divided by the golden ratio. It is odd, so that its multiples visit every number.
@@ -39,9 +41,24 @@ impl Dice {
         Self(Pcg64::new(seed.into(), LAYOUT))
     }
 
+    /// For the agent's seat.
+    pub(crate) fn of_seat(seed: u64) -> Self {
+        Self(Pcg64::new(seed.into(), SEAT))
+    }
+
+    /// For the table and the physics.
+    pub(crate) fn of_setup(seed: u64) -> Self {
+        Self(Pcg64::new(seed.into(), SETUP))
+    }
+
     /// For shot number `shot`, played by the opponent.
     pub(crate) fn of_opponent(seed: u64, shot: u64) -> Self {
         Self(Pcg64::new(seed.into(), OPPONENT + (u128::from(shot) << 64)))
+    }
+
+    /// Uniform in (0, 1): the middle of one of 2⁵² cells.
+    pub(crate) fn inner(&mut self) -> f64 {
+        ((self.0.next_u64() >> 12) as f64 + 0.5) / (1u64 << 52) as f64
     }
 
     /// Uniform in [0, 1).

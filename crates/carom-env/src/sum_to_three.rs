@@ -6,12 +6,18 @@
 //! leave the table. Here such a shot scores nothing, and the ball is put back on its spot.
 
 use carom::{Error, Shot};
-use carom_rules::{BallIndex, BallList, Calls, FrameBall, FrameSimulator, Turn};
+use carom_rules::{
+    BallIndex, BallList, Calls, Foul, Fouls, FrameBall, FrameSimulator, StateBytes, Turn,
+};
 
 use crate::bare_table::BareTable;
 use crate::config::Config;
-use crate::episode::{Ending, Episode, NoisyStrike, ShotResult, Standing};
+use crate::episode::{
+    Ending, Episode, EpisodeStart, NoisyStrike, ShotResult, Standing, UNPLAYABLE,
+};
 use crate::random::Dice;
+use crate::setup::Setup;
+use crate::task::Task;
 use crate::task_recorder::TaskRecorder;
 
 /// Number of cushion contacts in a shot that scores.
@@ -43,10 +49,10 @@ pub(crate) struct SumToThree {
 }
 
 impl SumToThree {
-    pub(crate) fn new(config: &Config) -> Result<Self, Error> {
-        let table = config.table.clone().unwrap_or_else(|| "carom-10ft".into());
+    pub(crate) fn new(config: &Config, setup: &Setup) -> Result<Self, Error> {
+        let table = setup.table.clone().unwrap_or_else(|| Task::SumToThree.table().into());
         let ids = ["cue", "object"].into_iter().map(String::from);
-        let table = BareTable::new(table, config.physics.clone(), ids)?;
+        let table = BareTable::new(table, setup.physics.clone(), ids)?;
         if !table.base.table().pockets.is_empty() || !table.base.table().size.x.is_finite() {
             return Err(Error::input(
                 "table",
@@ -126,6 +132,59 @@ impl Episode for SumToThree {
         self.scores
     }
 
+    fn why(&self) -> Option<&'static str> {
+        Some(match self.ending? {
+            Ending::Won(_) => "the target was reached",
+            _ if self.idle >= self.patience => "a stalemate: there was no progress",
+            _ => UNPLAYABLE,
+        })
+    }
+
+    fn set_up(&mut self, setup: &Setup, config: &Config) -> Result<(), Error> {
+        *self = Self::new(config, setup)?;
+        Ok(())
+    }
+
+    fn start_at(&mut self, start: &EpisodeStart, config: &Config) -> Result<(), Error> {
+        self.table.start_at(start, config)?;
+        if self.table.places.contains(&None) {
+            let remedy = "give both, \"cue\" and \"object\"";
+            return Err(Error::input("balls", "a ball is missing", remedy));
+        }
+        Ok(())
+    }
+
+    fn write_to(&self, out: &mut Vec<u8>) {
+        self.table.write_to(out);
+        self.turn.player.write_to(out);
+        self.scores.write_to(out);
+        self.idle.write_to(out);
+        self.opening.write_to(out);
+        let ending = match self.ending {
+            None => 0_u8,
+            Some(Ending::Won(seat)) => 1 + seat as u8,
+            Some(Ending::Drawn) => 3,
+            Some(Ending::Stalemate) => 4,
+        };
+        ending.write_to(out);
+    }
+
+    fn read_from(&mut self, bytes: &mut &[u8]) -> Option<()> {
+        self.table.read_from(bytes)?;
+        self.turn.player = StateBytes::read_from(bytes)?;
+        self.scores = StateBytes::read_from(bytes)?;
+        self.idle = StateBytes::read_from(bytes)?;
+        self.opening = StateBytes::read_from(bytes)?;
+        self.ending = match u8::read_from(bytes)? {
+            0 => None,
+            seat @ 1..=2 => Some(Ending::Won(usize::from(seat) - 1)),
+            3 => Some(Ending::Drawn),
+            4 => Some(Ending::Stalemate),
+            _ => return None,
+        };
+        Some(())
+    }
+
     fn restart(&mut self, seed: u64) -> Result<(), Error> {
         let mut dice = Dice::of_layout(seed);
         for ball in [CUE, OBJECT] {
@@ -145,11 +204,13 @@ impl Episode for SumToThree {
         &mut self,
         simulator: &mut FrameSimulator,
         strike: &NoisyStrike,
+        shots: Option<&mut Vec<Shot>>,
     ) -> Result<ShotResult, Error> {
         let seat = self.turn.player;
         let mut recorder = TaskRecorder::new(CUE.into());
         self.opening = false;
-        if let Err(error) = self.table.play(simulator.simulator_mut(), CUE, strike, &mut recorder) {
+        let played = self.table.play(simulator.simulator_mut(), CUE, strike, &mut recorder, shots);
+        if let Err(error) = played {
             self.ending = Some(Ending::Stalemate);
             return Err(error);
         }
@@ -167,7 +228,8 @@ impl Episode for SumToThree {
         } else if !scored {
             self.turn.player = 1 - seat;
         }
-        Ok(ShotResult { legal: !recorder.left_table, potted: 0, points })
+        let fouls: Fouls = recorder.left_table.then_some(Foul::BallOffTable).into_iter().collect();
+        Ok(ShotResult { legal: fouls.is_empty(), potted: 0, points, fouls })
     }
 
     fn boxed(&self) -> Box<dyn Episode> {

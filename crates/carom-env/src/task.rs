@@ -46,6 +46,15 @@ impl Task {
         named(&Self::ALL, Self::name, "task", name)
     }
 
+    /// The name of the task's own table.
+    pub(crate) const fn table(self) -> &'static str {
+        match self {
+            Self::Potting => "wpa-9ft",
+            Self::Game(rules) => rules.rack().table(),
+            Self::SumToThree => "carom-10ft",
+        }
+    }
+
     /// Whether the cue ball can ever be in hand.
     pub const fn has_hand(self) -> bool {
         !matches!(self, Self::Potting | Self::SumToThree | Self::Game(Rules::ThreeCushion))

@@ -2,7 +2,7 @@
 
 use carom_arena::BuiltInPlayer;
 use carom_mind::{Answer, Budget, Player, Situation};
-use carom_rules::{Frame, FrameSimulator};
+use carom_rules::{Frame, FrameSimulator, Seat};
 
 use crate::config::Config;
 use crate::modes::{Opponent, simulations_of};
@@ -20,15 +20,21 @@ impl Worker {
         let of = |player: &BuiltInPlayer| Some((player.make().ok()?, simulations_of(player)));
         let player = match &config.opponent {
             Opponent::Player(player) => of(player),
-            Opponent::None | Opponent::Random | Opponent::Potter => None,
+            _ => None,
         };
         Self { simulator: FrameSimulator::new(), player }
     }
 
     /// The opponent's answer to the request of `frame`, on this thread alone; none if it finds none.
-    pub(crate) fn decide(&mut self, config: &Config, frame: &Frame, seed: u64) -> Option<Answer> {
+    pub(crate) fn decide(
+        &mut self,
+        config: &Config,
+        frame: &Frame,
+        agent: Seat,
+        seed: u64,
+    ) -> Option<Answer> {
         let (player, simulations) = self.player.as_mut()?;
-        let noise = [0, 1].map(|seat| config.noise_of(seat));
+        let noise = [0, 1].map(|seat| config.noise_of(seat == agent));
         let situation = Situation { noise, ..Situation::new(frame, config.noise, seed) };
         let decision = player.decide(&situation, &Budget::simulations(*simulations));
         Some(decision.ok()?.answer)

@@ -3,8 +3,8 @@
 use carom::Noise;
 use carom::format::Node;
 use carom_env::{
-    Aim, Autoreset, CUSHIONS, Config, FEATURES, MAX_ENVIRONMENTS, Opponent, Rewards, TargetBall,
-    Task, VectorEnv,
+    Aim, Autoreset, CUSHIONS, Config, FEATURES, MAX_ENVIRONMENTS, Opponent, Rewards, Setup,
+    TargetBall, Task, VectorEnv,
 };
 use carom_rules::Rules;
 
@@ -216,8 +216,7 @@ fn a_shot_that_never_ends_truncates_the_episode_with_a_penalty() {
         ]),
     )]);
     let config = Config {
-        physics: Some(physics),
-        table: Some("carom-10ft".into()),
+        setups: vec![Setup { physics: Some(physics), table: Some("carom-10ft".into()) }],
         rewards: Rewards { failure: -3.0, ..Rewards::of(Task::SumToThree) },
         ..Config::of(Task::SumToThree)
     };
@@ -266,7 +265,10 @@ fn settings_out_of_range_are_refused_with_their_place() {
         Err(error) => error.to_string(),
     };
     let potting = Config::of(Task::Potting);
-    let pocketless = Config { table: Some("carom-10ft".into()), ..potting.clone() };
+    let pocketless = Config {
+        setups: vec![Setup { table: Some("carom-10ft".into()), physics: None }],
+        ..potting.clone()
+    };
     assert!(refused(Task::Potting, pocketless).starts_with("table"));
     let heap = Config { balls: Some([1, 40]), ..potting };
     assert!(refused(Task::Potting, heap).starts_with("balls"));
@@ -310,7 +312,8 @@ fn an_action_without_elevation_is_struck_at_the_default_elevation() {
         Some(Node::object([("cue", cue)]))
     };
     let end = |elevation: f64, action: f32, physics: Option<Node>| {
-        let config = Config { elevation, physics, ..Config::of(Task::SumToThree) };
+        let setups = vec![Setup { table: None, physics }];
+        let config = Config { elevation, setups, ..Config::of(Task::SumToThree) };
         let mut vector = environments(Task::SumToThree, 20, config);
         let mut all = actions(20 * vector.action_size(), 1);
         for one in all.chunks_mut(vector.action_size()) {

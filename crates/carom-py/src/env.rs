@@ -1,20 +1,25 @@
 //! Environments: `_core.VectorEnv`, `tasks` and `meanings`.
 
+use std::sync::{Mutex, MutexGuard, TryLockError};
+
 use carom::Error;
 use carom::format::Node;
 use carom_env::{
-    ACTIONS, Aim, Autoreset, BALL_FEATURES, Config, FEATURES, Opponent, Rewards, TargetBall, Task,
-    Transitions,
+    ACTIONS, AgentSeat, Aim, Asked, Autoreset, BALL_FEATURES, Config, EpisodeStart, FEATURES,
+    Opponent, Outside, Reply, Rewards, Setup, TargetBall, Task, Transitions, Variable,
 };
-use carom_rules::Options;
+use carom_rules::{Fouls, Options};
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::PyDict;
+use pyo3::types::{PyBytes, PyDict, PyList, PyString};
 
 use crate::error::to_exception;
+use crate::exceptions::CaromError;
 use crate::node::{from_python, to_python};
-use crate::options::NoiseOptions;
+use crate::options::{NoiseOptions, count};
+use crate::player::PlayFields;
+use crate::rules::{AnswerArguments, Frame};
+use crate::shot::Shot;
 
 /// `carom.env.settings.Settings`, read by attribute; Python has checked the types.
 #[derive(FromPyObject)]
@@ -24,15 +29,20 @@ struct Settings<'py> {
     speed: [f64; 2],
     max_elevation: f64,
     opponent: String,
+    /// `policy` or `player` for an opponent in Python, which has no name in `opponent`.
+    outside: Option<String>,
+    seat: String,
     balls: Option<[usize; 2]>,
     target_ball: String,
-    table: Bound<'py, PyAny>,
-    physics: Bound<'py, PyAny>,
+    /// Pairs of a table and its physics: one, or one for each environment.
+    setups: Vec<(Bound<'py, PyAny>, Bound<'py, PyAny>)>,
+    randomize: Bound<'py, PyAny>,
     points: Option<i32>,
     patience: u32,
     rewards: Option<RewardSettings>,
     max_episode_steps: Option<u32>,
     autoreset_mode: String,
+    traces: bool,
     threads: Option<usize>,
 }
 
@@ -57,15 +67,19 @@ impl Settings<'_> {
         let optional = |value: &Bound<'_, PyAny>| {
             if value.is_none() { Ok(None) } else { from_python(value).map(Some) }
         };
-        let (table, physics) = (optional(&self.table)?, optional(&self.physics)?);
-        Ok(self.named(task, table, physics))
+        let setup = |(table, physics): &(Bound<'_, PyAny>, Bound<'_, PyAny>)| {
+            PyResult::Ok(Setup { table: optional(table)?, physics: optional(physics)? })
+        };
+        let setups = self.setups.iter().map(setup).collect::<PyResult<_>>()?;
+        let randomize = optional(&self.randomize)?;
+        Ok(self.named(task, setups, randomize.as_ref()))
     }
 
     fn named(
         &self,
         task: Task,
-        table: Option<Node>,
-        physics: Option<Node>,
+        setups: Vec<Setup>,
+        randomize: Option<&Node>,
     ) -> Result<Config, Error> {
         let usual = Config::of(task);
         Ok(Config {
@@ -73,11 +87,16 @@ impl Settings<'_> {
             aim: Aim::read(&self.aim)?,
             speed: self.speed,
             elevation: self.max_elevation,
-            opponent: Opponent::read(&self.opponent)?,
+            opponent: match self.outside.as_deref() {
+                None => Opponent::read(&self.opponent)?,
+                Some("policy") => Opponent::Outside(Outside::Policy),
+                Some(_) => Opponent::Outside(Outside::Player),
+            },
+            seat: AgentSeat::read(&self.seat)?,
             balls: self.balls,
             target_ball: TargetBall::read(&self.target_ball)?,
-            table,
-            physics,
+            setups,
+            randomize: randomize.map_or(Ok(Vec::new()), Variable::read_all)?,
             options: Options {
                 points: self.points.unwrap_or(usual.options.points),
                 patience: self.patience,
@@ -86,14 +105,93 @@ impl Settings<'_> {
             rewards: self.rewards.as_ref().map_or(usual.rewards, Rewards::from),
             max_steps: self.max_episode_steps,
             autoreset: Autoreset::read(&self.autoreset_mode)?,
+            traces: self.traces,
             threads: self.threads,
         })
     }
 }
 
+/// The start of an episode, from Python.
+#[derive(FromPyObject)]
+enum StartArgument<'py> {
+    Shot(PyRef<'py, Shot>),
+    Frame(PyRef<'py, Frame>),
+}
+
+impl StartArgument<'_> {
+    fn start(&self) -> EpisodeStart {
+        match self {
+            Self::Shot(shot) => EpisodeStart::Shot(carom::Shot::clone(&shot.0)),
+            Self::Frame(frame) => EpisodeStart::Frame(frame.0.clone().into()),
+        }
+    }
+}
+
+/// An error of ours, or an exception that an opponent raised.
+enum Stopped {
+    Ours(Error),
+    Theirs(PyErr),
+}
+
+impl From<Error> for Stopped {
+    fn from(error: Error) -> Self {
+        Self::Ours(error)
+    }
+}
+
+impl From<PyErr> for Stopped {
+    fn from(raised: PyErr) -> Self {
+        Self::Theirs(raised)
+    }
+}
+
+impl Stopped {
+    fn exception(self, py: Python<'_>) -> PyErr {
+        match self {
+            Self::Ours(error) => to_exception(py, &error),
+            Self::Theirs(raised) => raised,
+        }
+    }
+}
+
+/// Asks an opponent in Python. `ask` gets observations, shape (k, size), and returns actions, shape (k,
+/// width); or it gets a list of index, seat and frame, and returns a list of answers.
+fn replies(
+    ask: Option<&Py<PyAny>>,
+    is_policy: bool,
+    asked: &[Asked<'_>],
+) -> Result<Vec<Reply>, Stopped> {
+    let Some(ask) = ask else { return Ok(Vec::new()) };
+    Python::attach(|py| {
+        if is_policy {
+            let mut rows = Vec::new();
+            asked.iter().for_each(|asked| asked.observe(&mut rows));
+            let size = rows.len() / asked.len();
+            let rows = PyArray1::from_vec(py, rows).reshape([asked.len(), size])?;
+            let actions: PyReadonlyArray2<'_, f32> = ask.bind(py).call1((rows,))?.extract()?;
+            let actions = actions.as_array();
+            return Ok(actions.rows().into_iter().map(|row| Reply::Action(row.to_vec())).collect());
+        }
+        let frames: Vec<(usize, usize, Option<Frame>)> = asked
+            .iter()
+            .map(|asked| {
+                (asked.index, asked.seat(), asked.frame().map(|f| Frame(f.without_seed())))
+            })
+            .collect();
+        let answers: Vec<AnswerArguments> = ask.bind(py).call1((frames,))?.extract()?;
+        let read = |(asked, answer): (&Asked<'_>, AnswerArguments)| {
+            let nothing = || Error::input("opponent", "there is no frame", "choose a game");
+            let frame = asked.frame().ok_or_else(nothing)?;
+            let answer = answer.read(frame).map_err(|error| error.inside("opponent"))?;
+            Ok(Reply::Answer(answer))
+        };
+        asked.iter().zip(answers).map(read).collect()
+    })
+}
+
 /// Environments that step together.
-#[pyclass(module = "carom._core")]
-pub(crate) struct VectorEnv(carom_env::VectorEnv);
+#[pyclass(frozen, module = "carom._core")]
+pub(crate) struct VectorEnv(Mutex<carom_env::VectorEnv>);
 
 #[pymethods]
 impl VectorEnv {
@@ -101,35 +199,45 @@ impl VectorEnv {
     fn new(py: Python<'_>, task: &str, n: usize, settings: Settings<'_>) -> PyResult<Self> {
         let task = Task::read(task).map_err(|e| to_exception(py, &e))?;
         let config = settings.config(task)?;
-        config
-            .and_then(|config| carom_env::VectorEnv::new(task, n, 0, config))
-            .map(Self)
-            .map_err(|e| to_exception(py, &e))
+        let envs = config.and_then(|config| carom_env::VectorEnv::new(task, n, 0, config));
+        envs.map(Self::from).map_err(|e| to_exception(py, &e))
     }
 
     /// Resets the environments in `mask` (None: all) and returns observations, shape (n, size).
-    /// `seeds`: one for each environment; None continues with the earlier ones.
+    /// `seeds`: one for each environment; None continues with the earlier ones. `starts`: shots and
+    /// frames; none, one, or one for each environment. `opponent`: as [`replies`] asks it.
     fn reset<'py>(
-        &mut self,
+        &self,
         py: Python<'py>,
         seeds: Option<Vec<u64>>,
         mask: Option<PyReadonlyArray1<'py, bool>>,
+        starts: Vec<Option<StartArgument<'py>>>,
+        opponent: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyArray2<f32>>> {
         let mask = mask.map(|mask| mask.as_array().to_vec());
-        let seen = py.detach(|| self.0.reset(seeds.as_deref(), mask.as_deref()));
-        self.rows(py, seen.map_err(|e| to_exception(py, &e))?)
+        let starts: Vec<_> =
+            starts.iter().map(|start| start.as_ref().map(StartArgument::start)).collect();
+        let mut lock = self.lock()?;
+        let envs = &mut *lock;
+        let is_policy = is_policy(envs);
+        let seen = py.detach(|| {
+            let mut ask = |asked: &[Asked<'_>]| replies(opponent.as_ref(), is_policy, asked);
+            envs.reset_against(seeds.as_deref(), mask.as_deref(), &starts, &mut ask)
+        });
+        rows(py, seen.map_err(|e: Stopped| e.exception(py))?, envs.observation_size())
     }
 
     /// Plays one shot in every environment; returns a dictionary of arrays with n entries each.
     fn step<'py>(
-        &mut self,
+        &self,
         py: Python<'py>,
         actions: PyReadonlyArray2<'py, f32>,
+        opponent: Option<Py<PyAny>>,
     ) -> PyResult<Bound<'py, PyDict>> {
         let actions = actions.as_array();
         let actions = actions.as_standard_layout();
-        let actions = actions.as_slice().unwrap_or_default();
-        let played = py.detach(|| self.0.step(actions)).map_err(|e| to_exception(py, &e))?;
+        let (played, size) =
+            self.played(py, actions.as_slice().unwrap_or_default(), opponent.as_ref())?;
         let Transitions {
             observations,
             rewards,
@@ -139,19 +247,136 @@ impl VectorEnv {
             players,
             legal,
             potted,
+            fouls,
+            strikes,
+            winners,
+            why,
         } = played;
         let out = PyDict::new(py);
-        out.set_item("observations", self.rows(py, observations)?)?;
+        out.set_item("observations", rows(py, observations, size)?)?;
         out.set_item("rewards", PyArray1::from_vec(py, rewards))?;
         out.set_item("terminated", PyArray1::from_vec(py, terminated))?;
         out.set_item("truncated", PyArray1::from_vec(py, truncated))?;
         out.set_item("player", PyArray1::from_vec(py, players))?;
         out.set_item("legal", PyArray1::from_vec(py, legal))?;
         out.set_item("potted", PyArray1::from_vec(py, potted))?;
+        let fouls = fouls.into_iter().map(Fouls::bits).collect();
+        out.set_item("fouls", PyArray1::from_vec(py, fouls))?;
+        let strikes =
+            PyArray1::from_vec(py, strikes.into_flattened()).reshape([winners.len(), 5])?;
+        out.set_item("strike", strikes)?;
+        if why.iter().any(Option::is_some) {
+            out.set_item("winner", PyArray1::from_vec(py, winners))?;
+            out.set_item("why", reasons(py, &why)?)?;
+        }
         if !final_observations.is_empty() {
-            out.set_item("final_obs", self.rows(py, final_observations)?)?;
+            out.set_item("final_obs", rows(py, final_observations, size)?)?;
         }
         Ok(out)
+    }
+
+    /// As `step`, in a single environment: its observation, reward, `terminated`, `truncated`, `player`,
+    /// `legal`, `potted`, `fouls`, `strike`, `winner` and `why`.
+    fn step_one<'py>(
+        &self,
+        py: Python<'py>,
+        action: PyReadonlyArray1<'py, f32>,
+        opponent: Option<Py<PyAny>>,
+    ) -> PyResult<Step<'py>> {
+        let action = action.as_array();
+        let action = action.as_standard_layout();
+        let (played, _) =
+            self.played(py, action.as_slice().unwrap_or_default(), opponent.as_ref())?;
+        let [speed, azimuth, elevation, side, height] = played.strikes[0];
+        let was_played = !speed.is_nan();
+        Ok((
+            PyArray1::from_vec(py, played.observations),
+            played.rewards[0],
+            played.terminated[0],
+            played.truncated[0],
+            played.players[0],
+            played.legal[0],
+            played.potted[0],
+            played.fouls[0].bits(),
+            was_played.then_some((speed, azimuth, elevation, side, height)),
+            played.winners[0],
+            played.why[0],
+        ))
+    }
+
+    /// The state of all environments, and with it the bytes of `attachment`.
+    fn state<'py>(&self, py: Python<'py>, attachment: &[u8]) -> PyResult<Bound<'py, PyBytes>> {
+        let state = self.lock()?.state(attachment).map_err(|e| to_exception(py, &e))?;
+        Ok(PyBytes::new(py, &state))
+    }
+
+    /// Continues from a state, and returns its attachment.
+    fn set_state<'py>(&self, py: Python<'py>, state: &[u8]) -> PyResult<Bound<'py, PyBytes>> {
+        let mut envs = self.lock()?;
+        let attachment = envs.set_state(state).map_err(|e| to_exception(py, &e))?;
+        Ok(PyBytes::new(py, attachment))
+    }
+
+    fn copy(&self) -> PyResult<Self> {
+        Ok(self.lock()?.clone().into())
+    }
+
+    /// `n` copies of one environment, with other random numbers to come if there are `seeds`.
+    fn copies(
+        &self,
+        py: Python<'_>,
+        index: usize,
+        n: usize,
+        seeds: Option<Vec<u64>>,
+        threads: usize,
+    ) -> PyResult<Self> {
+        let copies = self.lock()?.copies(index, n, seeds.as_deref(), count(threads));
+        copies.map(Self::from).map_err(|e| to_exception(py, &e))
+    }
+
+    /// The play that an action means; None at the end of an episode.
+    fn play<'py>(
+        &self,
+        py: Python<'py>,
+        index: usize,
+        action: PyReadonlyArray1<'py, f32>,
+    ) -> PyResult<Option<PlayFields>> {
+        let envs = self.lock()?;
+        let action = action.as_array().to_vec();
+        let play = envs.play(index, &action).map_err(|e| to_exception(py, &e))?;
+        let frame = envs.frame(index).map_err(|e| to_exception(py, &e))?;
+        Ok(play.map(|play| match frame {
+            Some(frame) => PlayFields::new(frame, &play),
+            None => PlayFields::uncalled(&play),
+        }))
+    }
+
+    /// A copy of the frame, without its seed; None in a task without a referee.
+    fn frame(&self, py: Python<'_>, index: usize) -> PyResult<Option<Frame>> {
+        let envs = self.lock()?;
+        let frame = envs.frame(index).map_err(|e| to_exception(py, &e))?;
+        Ok(frame.map(|frame| Frame(frame.without_seed())))
+    }
+
+    fn shot(&self, py: Python<'_>, index: usize) -> PyResult<Shot> {
+        self.lock()?.shot(index).map(Shot::from).map_err(|e| to_exception(py, &e))
+    }
+
+    fn observe_start<'py>(
+        &self,
+        py: Python<'py>,
+        index: usize,
+        start: StartArgument<'py>,
+    ) -> PyResult<Bound<'py, PyArray1<f32>>> {
+        let seen = self.lock()?.observe_start(index, &start.start());
+        Ok(PyArray1::from_vec(py, seen.map_err(|e| to_exception(py, &e))?))
+    }
+
+    /// The shots of the last step, if the settings keep them.
+    fn shots(&self, py: Python<'_>, index: usize) -> PyResult<Vec<Shot>> {
+        let envs = self.lock()?;
+        let shots = envs.shots(index).map_err(|e| to_exception(py, &e))?;
+        Ok(shots.iter().cloned().map(Shot::from).collect())
     }
 
     fn observe<'py>(
@@ -160,54 +385,137 @@ impl VectorEnv {
         index: usize,
         viewer: usize,
     ) -> PyResult<Bound<'py, PyArray1<f32>>> {
-        let seen = self.0.observe(index, viewer).map_err(|e| to_exception(py, &e))?;
+        let seen = self.lock()?.observe(index, viewer).map_err(|e| to_exception(py, &e))?;
         Ok(PyArray1::from_vec(py, seen))
     }
 
+    /// The observations of all environments, shape (n, size).
+    fn observations<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f32>>> {
+        let envs = self.lock()?;
+        rows(py, envs.observations(), envs.observation_size())
+    }
+
     fn player(&self, py: Python<'_>, index: usize) -> PyResult<Option<usize>> {
-        self.0.player(index).map_err(|e| to_exception(py, &e))
+        self.lock()?.player(index).map_err(|e| to_exception(py, &e))
+    }
+
+    fn players<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<i8>>> {
+        Ok(PyArray1::from_vec(py, self.lock()?.players()))
+    }
+
+    fn seats<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<i8>>> {
+        Ok(PyArray1::from_vec(py, self.lock()?.seats()))
+    }
+
+    /// The variables of the episodes, shape (n, variables).
+    fn drawn<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let envs = self.lock()?;
+        let drawn: Vec<f64> = envs.drawn().flatten().copied().collect();
+        let variables = drawn.len() / envs.len();
+        PyArray1::from_vec(py, drawn).reshape([envs.len(), variables])
     }
 
     fn presets<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.0.presets())
+        to_python(py, &self.lock()?.presets())
     }
 
     fn picture<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.0.picture(index).map_err(|e| to_exception(py, &e))?)
-    }
-
-    /// For `copy.deepcopy`: an independent copy in the same state.
-    fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
-        Self(self.0.clone())
-    }
-
-    /// For `pickle`: an error with a remedy.
-    fn __reduce__(&self) -> PyResult<()> {
-        Err(PyTypeError::new_err(
-            "an environment cannot be pickled; pickle a function that makes it, such as \
-             functools.partial(gymnasium.make, name), or copy it with copy.deepcopy",
-        ))
+        let picture = self.lock()?.picture(index).map_err(|e| to_exception(py, &e))?;
+        to_python(py, &picture)
     }
 
     #[getter]
-    fn action_size(&self) -> usize {
-        self.0.action_size()
+    fn action_size(&self) -> PyResult<usize> {
+        Ok(self.lock()?.action_size())
     }
 
     #[getter]
-    fn observation_bounds<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> (Bound<'py, PyArray1<f32>>, Bound<'py, PyArray1<f32>>) {
-        let [low, high] = self.0.observation_bounds();
-        (PyArray1::from_vec(py, low), PyArray1::from_vec(py, high))
+    fn observation_bounds<'py>(&self, py: Python<'py>) -> PyResult<Bounds<'py>> {
+        let [low, high] = self.lock()?.observation_bounds();
+        Ok((PyArray1::from_vec(py, low), PyArray1::from_vec(py, high)))
+    }
+}
+
+/// Lower and upper bounds.
+type Bounds<'py> = (Bound<'py, PyArray1<f32>>, Bound<'py, PyArray1<f32>>);
+
+/// The result of `step_one`.
+type Step<'py> = (
+    Bound<'py, PyArray1<f32>>,
+    f64,
+    bool,
+    bool,
+    i8,
+    bool,
+    u8,
+    u16,
+    Option<(f64, f64, f64, f64, f64)>,
+    i8,
+    Option<&'static str>,
+);
+
+impl From<carom_env::VectorEnv> for VectorEnv {
+    fn from(envs: carom_env::VectorEnv) -> Self {
+        Self(Mutex::new(envs))
     }
 }
 
 impl VectorEnv {
-    fn rows<'py>(&self, py: Python<'py>, flat: Vec<f32>) -> PyResult<Bound<'py, PyArray2<f32>>> {
-        PyArray1::from_vec(py, flat).reshape([self.0.len(), self.0.observation_size()])
+    /// The environments, if no other thread uses them.
+    fn lock(&self) -> PyResult<MutexGuard<'_, carom_env::VectorEnv>> {
+        match self.0.try_lock() {
+            Ok(envs) => Ok(envs),
+            Err(TryLockError::Poisoned(envs)) => Ok(envs.into_inner()),
+            Err(TryLockError::WouldBlock) => Err(CaromError::new_err(
+                "environment: another thread or the opponent uses it now; give each thread an \
+                 environment of its own, for example a copy, or let them take turns with a lock",
+            )),
+        }
     }
+
+    /// The transitions of `actions`, and the size of an observation.
+    fn played(
+        &self,
+        py: Python<'_>,
+        actions: &[f32],
+        opponent: Option<&Py<PyAny>>,
+    ) -> PyResult<(Transitions, usize)> {
+        let mut lock = self.lock()?;
+        let envs = &mut *lock;
+        let is_policy = is_policy(envs);
+        let played = py.detach(|| {
+            let mut ask = |asked: &[Asked<'_>]| replies(opponent, is_policy, asked);
+            envs.step_against(actions, &mut ask)
+        });
+        Ok((played.map_err(|e: Stopped| e.exception(py))?, envs.observation_size()))
+    }
+}
+
+fn is_policy(envs: &carom_env::VectorEnv) -> bool {
+    envs.config().opponent == Opponent::Outside(Outside::Policy)
+}
+
+fn rows<'py>(py: Python<'py>, flat: Vec<f32>, size: usize) -> PyResult<Bound<'py, PyArray2<f32>>> {
+    let count = flat.len() / size;
+    PyArray1::from_vec(py, flat).reshape([count, size])
+}
+
+/// The reasons as a list of texts and None. Equal neighbours share their text.
+fn reasons<'py>(py: Python<'py>, why: &[Option<&'static str>]) -> PyResult<Bound<'py, PyList>> {
+    let mut last: Option<(&str, Bound<'py, PyString>)> = None;
+    let mut text = |why: &'static str| match &last {
+        Some((known, text)) if *known == why => text.clone(),
+        _ => last.insert((why, PyString::new(py, why))).1.clone(),
+    };
+    let texts: Vec<Option<Bound<'py, PyString>>> =
+        why.iter().map(|why| why.map(&mut text)).collect();
+    PyList::new(py, texts)
+}
+
+/// The words of the fouls, in the order of their bits.
+#[pyfunction]
+pub(crate) fn foul_words() -> Vec<&'static str> {
+    Fouls::all().map(carom_rules::Foul::words).into()
 }
 
 /// The names of all tasks.

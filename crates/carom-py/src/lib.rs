@@ -34,7 +34,7 @@ mod _core {
         simulate_strikes, simulate_variants, variant,
     };
     #[pymodule_export]
-    use crate::env::{VectorEnv, meanings, tasks};
+    use crate::env::{VectorEnv, foul_words, meanings, tasks};
     #[pymodule_export]
     use crate::maps::{
         acceptance, bank_table, break_statistics, kick_table, position_map, pot_map,

@@ -42,15 +42,14 @@ impl ThinkingOptions {
 /// A play; a dict in Python. `strike`: speed, azimuth, elevation, side, height. `call`: kind, ball,
 /// pocket.
 #[derive(IntoPyObject)]
-struct PlayFields {
+pub(crate) struct PlayFields {
     strike: [f64; 5],
     cue_ball: Option<[f64; 2]>,
     call: (&'static str, Option<String>, Option<&'static str>),
 }
 
 impl PlayFields {
-    fn new(frame: &Game, play: &Play) -> Self {
-        let s = &play.strike;
+    pub(crate) fn new(frame: &Game, play: &Play) -> Self {
         let call = match play.call {
             Call::Nothing => ("nothing", None, None),
             Call::Safety => ("safety", None, None),
@@ -58,8 +57,14 @@ impl PlayFields {
             Call::On(ball) => ("on", Some(id(frame, ball)), None),
             Call::Pocket(ball, pocket) => ("pocket", Some(id(frame, ball)), Some(pocket.name())),
         };
+        Self { call, ..Self::uncalled(play) }
+    }
+
+    /// The fields of a play in a task without a referee.
+    pub(crate) fn uncalled(play: &Play) -> Self {
+        let s = &play.strike;
         let strike = [s.speed, s.azimuth, s.elevation, s.side, s.height];
-        Self { strike, cue_ball: play.cue_ball, call }
+        Self { strike, cue_ball: play.cue_ball, call: ("nothing", None, None) }
     }
 }
 

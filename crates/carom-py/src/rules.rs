@@ -3,6 +3,7 @@
 use carom::Error;
 use carom::format::Node;
 use carom::shot::{Cling, StrikePolicy};
+use carom_mind::Answer;
 use carom_rules::{Choice, ErrorSeeds, Options, Play, Rules, Ruling};
 use pyo3::prelude::*;
 
@@ -50,6 +51,51 @@ fn optional(value: &Bound<'_, PyAny>) -> PyResult<Option<Node>> {
     if value.is_none() { Ok(None) } else { from_python(value).map(Some) }
 }
 
+/// The play of `arguments` in `frame`.
+fn read_play(
+    frame: &carom_rules::Frame,
+    arguments: PlayArguments,
+    cling: Option<&Node>,
+) -> Result<Play, Error> {
+    let PlayArguments { strike, policy, cue_ball, call: (kind, ball, pocket), .. } = arguments;
+    let (strike, has_elevation) = strike_or_default(strike);
+    let call = frame.call(&kind, ball.as_deref(), pocket.as_deref())?;
+    let policy = StrikePolicy::from_names(&policy.0, &policy.1)?;
+    let cling = cling.map_or(Ok(Cling::NONE), Cling::from_node)?;
+    let play = Play { strike, cue_ball, call, policy, cling };
+    if has_elevation { Ok(play) } else { frame.at_default_elevation(&play) }
+}
+
+/// A player's answer to the request of a frame, as `carom.player.situation.answer_arguments` returns it.
+#[derive(FromPyObject)]
+pub(crate) enum AnswerArguments {
+    /// The name of a choice, or `concede`.
+    Word(String),
+    Play(PlayArguments),
+}
+
+impl AnswerArguments {
+    /// The answer, if `frame` allows it.
+    pub(crate) fn read(self, frame: &carom_rules::Frame) -> Result<Answer, Error> {
+        match self {
+            Self::Word(word) if word == CONCEDE => Ok(Answer::Concede),
+            Self::Word(word) => {
+                let choice = Choice::read(&word)?;
+                frame.clone().choose(choice)?;
+                Ok(Answer::Choice(choice))
+            }
+            Self::Play(arguments) => {
+                let play = read_play(frame, arguments, None)?;
+                frame.shot(&play)?;
+                Ok(Answer::Play(play))
+            }
+        }
+    }
+}
+
+/// The word with which a player gives up the frame.
+const CONCEDE: &str = "concede";
+
 /// A game in progress.
 #[pyclass(module = "carom._core")]
 pub(crate) struct Frame(pub(crate) carom_rules::Frame);
@@ -60,17 +106,7 @@ impl Frame {
             Some(cling) => Some(from_python(cling.bind(py))?),
             None => None,
         };
-        self.read_play(arguments, cling.as_ref()).map_err(|e| to_exception(py, &e))
-    }
-
-    fn read_play(&self, arguments: PlayArguments, cling: Option<&Node>) -> Result<Play, Error> {
-        let PlayArguments { strike, policy, cue_ball, call: (kind, ball, pocket), .. } = arguments;
-        let (strike, has_elevation) = strike_or_default(strike);
-        let call = self.0.call(&kind, ball.as_deref(), pocket.as_deref())?;
-        let policy = StrikePolicy::from_names(&policy.0, &policy.1)?;
-        let cling = cling.map_or(Ok(Cling::NONE), Cling::from_node)?;
-        let play = Play { strike, cue_ball, call, policy, cling };
-        if has_elevation { Ok(play) } else { self.0.at_default_elevation(&play) }
+        read_play(&self.0, arguments, cling.as_ref()).map_err(|e| to_exception(py, &e))
     }
 
     /// What was played, the ruling and the trace.

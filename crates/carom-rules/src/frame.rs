@@ -3,6 +3,7 @@
 mod play;
 mod prepared;
 mod resume;
+mod saved;
 mod simulator;
 mod stalemate;
 
@@ -292,6 +293,7 @@ impl Frame {
             self.shots[seat] += 1;
         }
         let shots = u32::from(shooter.is_some());
+        debug_assert!(request.is_known(), "{request:?} has a reason that REASONS lacks");
         self.request = request;
         for (score, points) in self.state.scores.iter_mut().zip(self.state.ruling.points) {
             *score += points;

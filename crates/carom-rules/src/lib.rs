@@ -26,8 +26,8 @@
 //! Each game is a file of [`games`]. [`Rules::rule`] gives the rule that forbids a foul; the
 //! documentation's page "Rules of the games" lists the rule books.
 //!
-//! Files import downwards only: seat, short_list, markings ← layout, region ← play, execution, request, ruling,
-//! rules ← state, referee ← games ← frame ← report ← answer, describe.
+//! Files import downwards only: seat, short_list, markings ← state_bytes ← layout, region ← play, execution,
+//! request, ruling, rules ← state, referee ← games ← frame ← report ← answer, describe.
 
 mod answer;
 mod describe;
@@ -48,6 +48,7 @@ mod scenarios;
 mod seat;
 mod short_list;
 mod state;
+mod state_bytes;
 
 pub use answer::play_schema;
 pub use execution::{ErrorDraw, ErrorSeeds, execute};
@@ -60,3 +61,4 @@ pub use rules::{Options, Rules};
 pub use ruling::{Foul, Fouls, Ruling};
 pub use seat::Seat;
 pub use short_list::ShortList;
+pub use state_bytes::StateBytes;

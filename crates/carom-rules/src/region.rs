@@ -3,6 +3,7 @@
 use carom::Table;
 
 use crate::markings::{distance, head_string, the_d};
+use crate::state_bytes::state_bytes;
 
 /// A region of the table in which a cue ball in hand may be placed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,6 +15,14 @@ pub enum Region {
     /// In the D, its lines included.
     TheD,
 }
+
+state_bytes!(
+    enum Region {
+        Anywhere,
+        BehindHeadString,
+        TheD,
+    }
+);
 
 impl Region {
     /// Whether a ball with its centre at `place` (file frame, m) is in the region.

@@ -6,6 +6,7 @@ use crate::layout::{BallIndex, BallList};
 use crate::region::Region;
 use crate::seat::Seat;
 use crate::short_list::ShortList;
+use crate::state_bytes::{StateBytes, state_bytes};
 
 /// The next request of a frame.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,7 +31,103 @@ pub enum Request {
     },
 }
 
+state_bytes!(struct Turn { player, cue, hand, on, calls });
+state_bytes!(struct Calls { pocket, safety, required, push_out, nominate });
+state_bytes!(
+    enum Choice {
+        PlayOn,
+        PlayFromHand,
+        PassBack,
+        Rebreak,
+        RebreakByOther,
+        SpotEight,
+        Replace,
+        SpotFrozen,
+        SpotNearest,
+    }
+);
+
+/// Every reason of a choice or of the end of a frame. Bytes of a state hold its position here.
+const REASONS: [&str; 27] = [
+    "a ball was pocketed that was not called",
+    "a breaking foul",
+    "a foul and a miss",
+    "a foul and a miss, and a free ball",
+    "a foul on the break",
+    "a foul, and a free ball",
+    "a foul",
+    "a stalemate: there was no progress",
+    "after a push-out",
+    "all balls are behind the head string",
+    "all balls are down",
+    "the black decided",
+    "the cue ball touches another ball",
+    "the eight was driven off the table",
+    "the eight was pocketed",
+    "the eight was pocketed on the break",
+    "the eight was pocketed before the group was cleared",
+    "the eight was pocketed in an uncalled pocket",
+    "the eight was pocketed with a foul",
+    "the last ball was pocketed",
+    "the scores are equal: the black is played for",
+    "the target was reached",
+    "the target was reached in equal innings",
+    "the other player conceded",
+    "three fouls in a row",
+    "three misses in a row with a ball in sight",
+    "too few balls were driven to a rail",
+];
+
+impl StateBytes for Request {
+    fn write_to(&self, out: &mut Vec<u8>) {
+        let number = |why: &str| REASONS.iter().position(|reason| *reason == why);
+        let reason = |why, out: &mut Vec<u8>| {
+            out.push(number(why).map_or(u8::MAX, |number| number as u8));
+        };
+        match self {
+            Self::Shot(turn) => {
+                out.push(0);
+                turn.write_to(out);
+            }
+            Self::Choice { player, choices, why } => {
+                out.push(1);
+                player.write_to(out);
+                choices.write_to(out);
+                reason(why, out);
+            }
+            Self::Over { winner, why } => {
+                out.push(2);
+                winner.write_to(out);
+                reason(why, out);
+            }
+        }
+    }
+
+    fn read_from(bytes: &mut &[u8]) -> Option<Self> {
+        let reason = |bytes: &mut _| {
+            u8::read_from(bytes).and_then(|number| REASONS.get(usize::from(number)).copied())
+        };
+        Some(match u8::read_from(bytes)? {
+            0 => Self::Shot(StateBytes::read_from(bytes)?),
+            1 => {
+                let (player, choices) = (Seat::read_from(bytes)?, Choices::read_from(bytes)?);
+                Self::Choice { player, choices, why: reason(bytes)? }
+            }
+            2 => Self::Over { winner: StateBytes::read_from(bytes)?, why: reason(bytes)? },
+            _ => return None,
+        })
+    }
+}
+
 impl Request {
+    /// Whether [`REASONS`] has its reason.
+    pub(crate) fn is_known(&self) -> bool {
+        match self {
+            Self::Shot(_) => true,
+            Self::Choice { why, .. } | Self::Over { why, .. } => REASONS.contains(why),
+        }
+    }
+
     pub(crate) fn choice(player: Seat, choices: &[Choice], why: &'static str) -> Self {
         debug_assert!(choices.len() > 1, "a single option is applied, not offered");
         Self::Choice { player, choices: choices.into(), why }

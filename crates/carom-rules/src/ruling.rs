@@ -99,6 +99,16 @@ impl Fouls {
         self.0 & (1 << foul as u16) != 0
     }
 
+    /// The set as a number: a fault is a bit, in the order of [`Self::iter`].
+    pub const fn bits(self) -> u16 {
+        self.0
+    }
+
+    /// Every foul.
+    pub const fn all() -> [Foul; 15] {
+        Self::ALL
+    }
+
     /// Whether the set is empty.
     pub const fn is_empty(self) -> bool {
         self.0 == 0
@@ -107,6 +117,14 @@ impl Fouls {
     /// The fouls, in the order of the variants of [`Foul`].
     pub fn iter(self) -> impl Iterator<Item = Foul> {
         Self::ALL.into_iter().filter(move |foul| self.has(*foul))
+    }
+}
+
+impl FromIterator<Foul> for Fouls {
+    fn from_iter<I: IntoIterator<Item = Foul>>(fouls: I) -> Self {
+        let mut set = Self::NONE;
+        fouls.into_iter().for_each(|foul| set.add_if(true, foul));
+        set
     }
 }
 

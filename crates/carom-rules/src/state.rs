@@ -7,6 +7,7 @@ use carom::{Error, Shot};
 use crate::layout::FrameLayout;
 use crate::rules::{Options, Rules};
 use crate::ruling::Ruling;
+use crate::state_bytes::StateBytes;
 
 /// 2⁶⁴ divided by the golden ratio. It is odd, so that all racks of a frame get different seeds.
 const SEED_STEP: u64 = 0x9e37_79b9_7f4a_7c15;
@@ -57,6 +58,35 @@ impl FrameState {
         let layout = FrameLayout::rack(rules.rack(), &base, seed)?;
         let (scores, fouls, ruling) = ([0; 2], [0; 2], Ruling::default());
         Ok(Self { options, base, layout, scores, fouls, ruling, rules, seed, seeds_drawn: 0 })
+    }
+
+    /// Appends everything that changes during a frame, and the options.
+    pub(crate) fn write_to(&self, out: &mut Vec<u8>) {
+        let Options { points, miss, patience } = self.options;
+        points.write_to(out);
+        miss.write_to(out);
+        patience.write_to(out);
+        self.layout.places().write_to(out);
+        self.scores.write_to(out);
+        self.fouls.write_to(out);
+        [self.seed, self.seeds_drawn].write_to(out);
+    }
+
+    /// The state that `bytes` begin with, of a frame with this table and these balls.
+    pub(crate) fn read_same(&self, bytes: &mut &[u8]) -> Option<Self> {
+        let (points, miss) = (i32::read_from(bytes)?, bool::read_from(bytes)?);
+        let options = Options { points, miss, patience: StateBytes::read_from(bytes)? };
+        let mut state = Self { options, ruling: Ruling::default(), ..self.clone() };
+        state.layout.put_all(&StateBytes::read_from(bytes)?);
+        state.scores = StateBytes::read_from(bytes)?;
+        state.fouls = StateBytes::read_from(bytes)?;
+        [state.seed, state.seeds_drawn] = StateBytes::read_from(bytes)?;
+        Some(state)
+    }
+
+    /// Replaces the seed of the racks to come.
+    pub(crate) const fn reseed(&mut self, seed: u64) {
+        (self.seed, self.seeds_drawn) = (seed, 0);
     }
 
     /// The scores including the points of the current ruling.

@@ -20,6 +20,7 @@ except ImportError as error:
     raise ImportError("carom.env needs Gymnasium; install it: pip install 'carom[env]'") from error
 
 from carom import _core
+from carom.env.episodes import EpisodeWriter
 from carom.env.registry import ENVIRONMENTS, register
 from carom.env.settings import Rewards
 from carom.env.single import CaromEnv
@@ -35,6 +36,7 @@ __all__ = [
     "FEATURES",
     "CaromEnv",
     "CaromVectorEnv",
+    "EpisodeWriter",
     "Rewards",
     "aec",
 ]

@@ -8,11 +8,13 @@ import numpy as np
 from gymnasium.error import ResetNeeded
 from pettingzoo import AECEnv
 
-from carom import _core
 from carom.arguments import text, whole
+from carom.env.arrays import floats
+from carom.env.base import Environments
+from carom.env.infos import fouls_of, traces
 from carom.env.render import check_mode, frame
-from carom.env.settings import settings as checked
-from carom.env.vector import floats, spaces
+from carom.env.starts import STARTS, read_options, read_starts
+from carom.env.vector import spaces
 from carom.errors import InputError
 
 if TYPE_CHECKING:
@@ -22,7 +24,11 @@ if TYPE_CHECKING:
     Array = NDArray[Any]
 
 
-class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
+# The options that PettingZoo's `api_test` gives every environment; they mean nothing.
+_PROBE = {"options": 1}
+
+
+class CaromMatch(Environments, AECEnv[str, Any, Any]):  # type: ignore[misc]
     """A frame between ``player_0``, who begins, and ``player_1``.
 
     The shooter continues until the rules give the turn to the other player, so the same agent is
@@ -48,26 +54,17 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
         super().__init__()
         if game == "potting":
             raise InputError("game: potting has one player; choose a game, such as eight-ball")
-        if "opponent" in settings:
-            raise InputError("opponent: both players are agents in a match; leave it out")
+        for key in ("opponent", "seat"):
+            if key in settings:
+                raise InputError(f"{key}: both players are agents in a match; leave it out")
         given = {"threads": 1} | settings | {"autoreset_mode": "disabled"}
-        self._core = _core.VectorEnv(text("game", game), 1, checked(**given))
+        self._make(text("game", game), 1, given)
         self.render_mode = check_mode(render_mode)
         self.possible_agents = ["player_0", "player_1"]
         self.agents: list[str] = []
         seen, act = spaces(self._core)
         self.observation_spaces = dict.fromkeys(self.possible_agents, seen)
         self.action_spaces = dict.fromkeys(self.possible_agents, act)
-        self._seeded = False
-
-    @property
-    def presets(self) -> dict[str, Any]:
-        """The settings ``table`` and ``physics`` with dated names, for records.
-
-        A name without a date will have other values one day. ``physics`` is missing if the table's
-        name implies it.
-        """
-        return self._core.presets()
 
     def observation_space(self, agent: str) -> Box:
         """The space of observations, the same for both agents."""
@@ -78,19 +75,31 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
         return self.action_spaces[agent]
 
     def reset(self, seed: int | None = None, options: dict[str, Any] | None = None) -> None:
-        """Begin the first frame of ``seed``; without a seed, the next frame."""
-        del options
+        """Begin the first frame of ``seed``; without a seed, the next frame.
+
+        ``infos`` then has, for both agents, ``player`` (the index of the one who shoots next).
+
+        Args:
+            seed: A whole number from 0 to 2⁶⁴ − 1.
+            options: ``shot`` or ``frame``: where the frame starts, as for a single environment.
+
+        Raises:
+            InputError: A seed is invalid, an option is unknown, or the game cannot start there.
+        """
+        if options == _PROBE:
+            options = None
+        starts = read_starts(read_options(options, STARTS), 1)
         if seed is None and not self._seeded:
             seed = int(np.random.default_rng().integers(2**62))
-        self._seeded = True
         seed = None if seed is None else whole("seed", seed)
-        self._core.reset(None if seed is None else [seed], None)
+        self._core.reset(None if seed is None else [seed], None, starts, None)
+        self._seeded = True
         self.agents = list(self.possible_agents)
         self.rewards = dict.fromkeys(self.agents, 0.0)
         self._cumulative_rewards = dict.fromkeys(self.agents, 0.0)
         self.terminations = dict.fromkeys(self.agents, False)
         self.truncations = dict.fromkeys(self.agents, False)
-        self.infos: dict[str, dict[str, Any]] = {agent: {} for agent in self.agents}
+        self.infos: dict[str, dict[str, Any]] = {agent: self._info() for agent in self.agents}
         self.agent_selection = self._next()
 
     def observe(self, agent: str) -> Array:
@@ -108,13 +117,25 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
             self._was_dead_step(action)
             return
         self._cumulative_rewards[shooter] = 0.0
-        out = self._core.step(floats("action", action).reshape(1, -1))
-        reward = float(out["rewards"][0])
+        row = floats("action", action).reshape(-1)
+        _, reward, terminated, truncated, _, legal, potted, fouls, strike, winner, why = (
+            self._core.step_one(row, None)
+        )
         self.rewards = {agent: reward if agent == shooter else -reward for agent in self.agents}
-        self.terminations = dict.fromkeys(self.agents, bool(out["terminated"][0]))
-        self.truncations = dict.fromkeys(self.agents, bool(out["truncated"][0]))
-        self.infos = {agent: {} for agent in self.agents}
-        self.infos[shooter] = {key: out[key][0].item() for key in ("legal", "potted")}
+        self.terminations = dict.fromkeys(self.agents, terminated)
+        self.truncations = dict.fromkeys(self.agents, truncated)
+        self.infos = {agent: self._info() for agent in self.agents}
+        self.infos[shooter] |= {
+            "legal": legal,
+            "potted": potted,
+            "fouls": fouls_of(fouls),
+            "strike": strike,
+        }
+        if self._settings.traces:
+            self.infos[shooter]["traces"] = traces(self._core, 0)
+        if why is not None:
+            for info in self.infos.values():
+                info["winner"], info["why"] = winner, why
         self._accumulate_rewards()
         self.agent_selection = self._next()
 
@@ -124,6 +145,13 @@ class CaromMatch(AECEnv[str, Any, Any]):  # type: ignore[misc]
 
     def close(self) -> None:
         """Do nothing: a match holds no resources."""
+
+    def _info(self) -> dict[str, Any]:
+        """What ``infos`` has for both agents."""
+        info: dict[str, Any] = {"player": int(self._core.players()[0])}
+        for key, values in self._about_episodes(self._core).items():
+            info[key] = {name: float(drawn[0]) for name, drawn in values.items()}
+        return info
 
     def _next(self) -> str:
         player = self._core.player(0)

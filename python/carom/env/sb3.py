@@ -47,6 +47,14 @@ class SB3VecEnv(VecEnv):  # type: ignore[misc]
         *,
         view: Callable[[Array], Array] | None = None,
     ) -> None:
+        """Wrap ``envs``, a vector in the mode ``same-step``; ``view`` makes the agent's input.
+
+        ``view`` turns observations, shape (n, size), into as many rows of float32; None gives the
+        agent the observations themselves.
+
+        Raises:
+            InputError: ``envs`` is not a vector, or resets in another mode.
+        """
         if not isinstance(envs, VectorEnv):
             raise InputError(
                 f"envs: found a {type(envs).__name__}; give a Gymnasium vector, for example "

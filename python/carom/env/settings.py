@@ -8,9 +8,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, fields
 from typing import Any
 
-from carom.arguments import instance, number, numbers, text, thread_count, whole
+from carom.arguments import instance, number, numbers, text, thread_count, truth, whole
 from carom.build import Physics, Table
 from carom.deprecated import renamed_keys
+from carom.env.opponents import kind_of
 from carom.errors import InputError
 from carom.noise import Noise
 
@@ -59,16 +60,21 @@ class Settings:
         aim: As given.
         speed: Least and largest speed of the cue, m/s.
         max_elevation: rad.
-        opponent: As given.
+        opponent: The name; ``none`` for an opponent in Python.
+        outside: ``policy`` or ``player`` for an opponent in Python, else None.
+        opponent_given: As given.
+        seat: As given, as a text.
         balls: Least and most object balls, or None.
         target_ball: As given.
-        table: A plain description or a name, or None.
-        physics: Likewise.
+        setups: Tables with their physics, plain descriptions, names or None: one, or one for each
+            environment.
+        randomize: As given.
         points: As given.
         patience: As given.
         rewards: As given.
         max_episode_steps: As given.
         autoreset_mode: As given.
+        traces: As given.
         threads: Number of threads; None means one per core.
     """
 
@@ -77,16 +83,25 @@ class Settings:
     speed: tuple[float, ...]
     max_elevation: float
     opponent: str
+    outside: str | None
+    opponent_given: Any
+    seat: str
     balls: tuple[int, int] | None
     target_ball: str
-    table: Any
-    physics: Any
+    setups: list[tuple[Any, Any]]
+    randomize: dict[str, Any] | None
     points: int | None
     patience: int
     rewards: Rewards | None
     max_episode_steps: int | None
     autoreset_mode: str
+    traces: bool
     threads: int | None
+
+    @property
+    def has_opponent(self) -> bool:
+        """Whether the agent has one seat, and not both."""
+        return self.outside is not None or self.opponent != "none"
 
 
 def settings(**given: Any) -> Settings:
@@ -108,14 +123,25 @@ def settings(**given: Any) -> Settings:
     - ``opponent``: The second player: ``none``, ``random``, ``potter``, or in a game a built-in
       player (``carom.players()`` lists them), such as ``level-2``. Settings and a number of
       simulated shots for each decision may follow, as in ``carom[shift=false]:500``; a player that
-      is not a level has 200 without a number. A level strikes with its own noise.
+      is not a level has 200 without a number. A level strikes with its own noise. Or an opponent
+      of one's own: a function from observations, shape (k, size), to actions, shape (k, action
+      size), or an object with ``choose(situation)`` (``carom.Situation``), which returns a
+      ``carom.Play``, a ``carom.Decision``, the name of a choice, or ``"concede"``.
+    - ``seat``: The agent's seat, if it has an opponent: 0 (it begins), 1, ``random`` (drawn for
+      every episode) or ``alternate`` (0 in the first episode of a seed, then 1, and so on).
     - ``balls``: Number of object balls that are placed at random at the start, or the least and
       the most. In potting None means 1. In the games None means a rack; otherwise the game begins
       in the middle, with equal scores. In snooker these are the reds, and the colours are on their
       spots; three-cushion has 2; sum-to-three ignores it.
     - ``target_ball``: In potting, the ball to pot: ``any`` or ``lowest``.
-    - ``table``: As in a shot; None means the task's own.
-    - ``physics``: As in a shot; None means the table's own.
+    - ``table``: As in a shot; None means the task's own. A list gives every environment of a
+      vector its own.
+    - ``physics``: As in a shot; None means the table's own. Likewise.
+    - ``randomize``: Numbers that every episode draws from its seed: keys of the physics, such as
+      ``cloth.rolling_friction``, or of the table, such as ``table.cushion_height``, with a law.
+      ``(low, high)`` is uniform; ``{"log_uniform": (low, high)}``, ``{"normal": (mean,
+      deviation)}`` and ``{"choice": numbers}`` are the others. A draw with which no table or
+      physics can exist is repeated. ``info["randomized"]`` reports them.
     - ``points``: Points that win straight pool (None means 100), three-cushion (40) and
       sum-to-three (10).
     - ``patience``: Number of shots without progress after which the frame is a stalemate.
@@ -123,6 +149,8 @@ def settings(**given: Any) -> Settings:
     - ``max_episode_steps``: Steps after which an episode is truncated; None means no limit.
     - ``autoreset_mode``: ``same-step``, ``next-step`` or ``disabled``. Single environments never
       reset by themselves.
+    - ``traces``: Whether ``info["traces"]`` has the traces of a step's shots. They are simulated
+      for it once more.
     - ``threads``: Number of threads; None means one per core. Results do not depend on it.
 
     Raises:
@@ -137,16 +165,19 @@ def _checked(
     aim: str = "absolute",
     speed: tuple[float, float] = (0.2, 8.0),
     max_elevation: float = 0.5,
-    opponent: str = "none",
+    opponent: Any = "none",
+    seat: int | str = 0,
     balls: int | tuple[int, int] | None = None,
     target_ball: str = "any",
-    table: Table | str | Mapping[str, Any] | None = None,
-    physics: Physics | str | Mapping[str, Any] | None = None,
+    table: Any = None,
+    physics: Any = None,
+    randomize: Mapping[str, Any] | None = None,
     points: int | None = None,
     patience: int = 100,
     rewards: Rewards | None = None,
     max_episode_steps: int | None = None,
     autoreset_mode: str = "same-step",
+    traces: bool = False,
     threads: int | None = None,
     **unknown: Any,
 ) -> Settings:
@@ -159,16 +190,20 @@ def _checked(
             f"rewards: found a {type(rewards).__name__}; give carom.env.Rewards(...), "
             "for example carom.env.Rewards(win=1.0)"
         )
+    outside = kind_of(opponent)
     return Settings(
         noise=noise or Noise(),
         aim=text("aim", aim, '"absolute"'),
         speed=numbers("speed", speed, 2),
         max_elevation=number("max_elevation", max_elevation),
-        opponent=text("opponent", opponent, '"none"'),
+        opponent=opponent if outside is None else "none",
+        outside=outside,
+        opponent_given=opponent,
+        seat=seat if isinstance(seat, str) else str(whole("seat", seat, 2)),
         balls=None if balls is None else _whole_pair("balls", balls),
         target_ball=text("target_ball", target_ball, '"any"'),
-        table=table.description if isinstance(table, Table) else table,
-        physics=physics.description if isinstance(physics, Physics) else physics,
+        setups=_setups(table, physics),
+        randomize=None if randomize is None else _laws(randomize),
         points=None if points is None else whole("points", points, _LARGEST + 1),
         patience=whole("patience", patience, _LARGEST + 1),
         rewards=rewards,
@@ -178,8 +213,38 @@ def _checked(
             else whole("max_episode_steps", max_episode_steps, _LARGEST + 1)
         ),
         autoreset_mode=text("autoreset_mode", autoreset_mode, '"same-step"'),
+        traces=truth("traces", traces),
         threads=thread_count(threads) or None,
     )
+
+
+def _setups(table: Any, physics: Any) -> list[tuple[Any, Any]]:
+    """Pairs of a table and its physics: one, or one for each environment."""
+    tables, all_physics = _each(table, Table), _each(physics, Physics)
+    count = max(len(tables), len(all_physics))
+    if 1 < min(len(tables), len(all_physics)) < count:
+        raise InputError(
+            f"physics: there are {len(all_physics)} for {len(tables)} tables; give one for each"
+        )
+    return [
+        (tables[index % len(tables)], all_physics[index % len(all_physics)])
+        for index in range(count)
+    ]
+
+
+def _each(value: Any, kind: type[Table] | type[Physics]) -> list[Any]:
+    """The values of a setting that may have one for each environment, as plain descriptions."""
+    values = list(value) if isinstance(value, list | tuple) else [value]
+    return [one.description if isinstance(one, kind) else one for one in values] or [None]
+
+
+def _laws(randomize: Mapping[str, Any]) -> dict[str, Any]:
+    if not isinstance(randomize, Mapping):
+        raise InputError(
+            f"randomize: found a {type(randomize).__name__}; give keys of the physics with laws, "
+            'such as {"cloth.rolling_friction": (0.008, 0.012)}'
+        )
+    return dict(randomize)
 
 
 def _no_such(name: str) -> str:

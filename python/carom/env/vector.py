@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from gymnasium.error import ResetNeeded
 from gymnasium.spaces import Box
 from gymnasium.utils.seeding import np_random
 from gymnasium.vector import AutoresetMode, VectorEnv
@@ -14,8 +13,10 @@ from gymnasium.vector.utils import batch_space
 
 from carom import _core
 from carom.arguments import WORD, text, whole
+from carom.env.arrays import floats
+from carom.env.base import Environments
 from carom.env.render import check_mode, frame
-from carom.env.settings import settings as checked
+from carom.env.starts import STARTS, read_options, read_starts
 from carom.errors import InputError
 
 if TYPE_CHECKING:
@@ -40,46 +41,25 @@ def spaces(core: _core.VectorEnv) -> tuple[Box, Box]:
     return Box(low, high, dtype=np.float32), action
 
 
-def floats(name: str, values: Any) -> NDArray[np.float32]:
-    """Numbers in the form that Rust accepts.
-
-    Raises:
-        InputError: ``values`` is not an array of numbers.
-    """
-    try:
-        return np.ascontiguousarray(values, dtype=np.float32)
-    except (TypeError, ValueError):
-        raise InputError(f"{name}: not numbers; give an array of numbers") from None
-
-
-def reset_mask(options: Any) -> Any:
-    """The mask in the options of a reset; None if there is none.
-
-    Raises:
-        InputError: The options are not a dict.
-    """
-    if options is None:
-        return None
-    if not isinstance(options, dict):
-        found = type(options).__name__
-        raise InputError(f'options: found a {found}; give {{"reset_mask": ...}}')
-    return options.get("reset_mask")
-
-
-class CaromVectorEnv(VectorEnv[Any, Any, Any]):
+class CaromVectorEnv(Environments, VectorEnv[Any, Any, Any]):
     """Environments of one task that step together.
 
     Environment ``i`` of a vector that is reset with seed ``s`` equals the single environment that
     is reset with ``s + i``, to the bit, for any number of threads.
 
-    ``info`` has arrays with one entry per environment: ``player`` (who shoots next; −1 at the end
-    of an episode), ``legal`` (whether the agent's shot was legal), ``potted`` (number of balls that
-    it potted and was allowed to pot). In the mode ``same-step``, a step that ends episodes also has
-    Gymnasium's keys: ``final_obs``, the last observations of the episodes that ended, shape
-    (num_envs, observation size), 0 for the others; ``final_info``, their last ``player``,
-    ``legal`` and ``potted``; and the masks ``_final_obs`` and ``_final_info``. ``player`` itself
-    then belongs to the new episode. ``copy.deepcopy`` returns an independent vector in the same
-    state.
+    ``info`` has the keys of a single environment, with arrays of one entry for each environment:
+    ``player``, ``legal``, ``potted``, ``fouls`` (tuples of words) and ``strike``, shape (num_envs,
+    5), NaN where none was played; where episodes end, ``winner`` and ``why``, with the masks
+    ``_winner`` and ``_why``.
+
+    In the mode ``same-step``, a step that ends episodes has Gymnasium's keys instead:
+    ``final_obs``, the last observations of the episodes that ended, shape (num_envs, observation
+    size), 0 for the others; ``final_info``, all that ``info`` says of these last steps; and the
+    masks ``_final_obs`` and ``_final_info``. ``player``, ``seat`` and ``randomized`` then belong to
+    the new episode.
+
+    ``copy``, ``copy.deepcopy`` and ``pickle`` give an independent vector in the same state. A
+    vector is used by one thread at a time; another one that comes meanwhile gets a CaromError.
 
     Args:
         task: ``potting``, ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``,
@@ -105,9 +85,8 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
             names = {mode: name for name, mode in _MODES.items()}
             autoreset_mode = names[autoreset_mode]
         num_envs = whole("num_envs", num_envs, _MOST + 1, low=1)
-        self._core = _core.VectorEnv(
-            text("task", task), num_envs, checked(autoreset_mode=autoreset_mode, **settings)
-        )
+        given = {**settings, "autoreset_mode": autoreset_mode}
+        self._make(text("task", task), num_envs, given)
         self.metadata = {
             "render_modes": ["rgb_array"],
             "render_fps": 1,
@@ -118,16 +97,6 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
         self.single_observation_space, self.single_action_space = spaces(self._core)
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self.action_space = batch_space(self.single_action_space, num_envs)
-        self._seeded = False
-
-    @property
-    def presets(self) -> dict[str, Any]:
-        """The settings ``table`` and ``physics`` with dated names, for records.
-
-        A name without a date will have other values one day. ``physics`` is missing if the table's
-        name implies it.
-        """
-        return self._core.presets()
 
     def reset(
         self,
@@ -141,17 +110,20 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
             seed: The seed of environment 0 (environment i has ``seed + i``), or one seed for each.
                 None continues with the next episodes of the earlier seeds.
             options: ``reset_mask``: a boolean array of the environments to reset; without it, all.
+                ``shot`` or ``frame``: where the episodes start, as for a single environment; one
+                for all, or a list with one for each (None for its usual start).
 
         Raises:
-            InputError: A seed is invalid, or the mask has a wrong type or shape.
+            InputError: A seed is invalid, the mask has a wrong type or shape, an option is
+                unknown, or the task cannot start there.
         """
-        mask = reset_mask(options)
+        given = read_options(options, ("reset_mask", *STARTS))
+        mask, starts = given.get("reset_mask"), read_starts(given, self.num_envs)
         seeds: list[int] | None = None
         if seed is None and not self._seeded:
             seed = int(np_random(None)[0].integers(2**62))
         if seed is not None:
             seeds = self._seeds(seed)
-            self._seeded = True
         if mask is not None:
             mask = np.asarray(mask)
             if mask.dtype != np.bool_ or mask.shape != (self.num_envs,):
@@ -159,8 +131,9 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
                     f"reset_mask: found {mask.dtype} of shape {mask.shape}; "
                     f"give booleans of shape ({self.num_envs},)"
                 )
-        observations = self._core.reset(seeds, mask)
-        return observations, {}
+        observations = self._core.reset(seeds, mask, starts, self._ask)
+        self._seeded = True
+        return observations, {"player": self._core.players(), **self._about_episodes(self._core)}
 
     def step(self, actions: Array) -> tuple[Array, Array, Array, Array, dict[str, Any]]:
         """Play a shot in every environment.
@@ -172,22 +145,12 @@ class CaromVectorEnv(VectorEnv[Any, Any, Any]):
             InputError: The actions have another shape.
             ResetNeeded: The vector has not been reset yet.
         """
-        if not self._seeded:
-            raise ResetNeeded("call reset before step")
+        self._check_seeded("step")
         actions = floats("actions", actions)
         if actions.shape != self.action_space.shape:
             wanted = self.action_space.shape
             raise InputError(f"actions: found the shape {actions.shape}; give {wanted}")
-        info = self._core.step(actions)
-        observations, rewards = info.pop("observations"), info.pop("rewards")
-        terminated, truncated = info.pop("terminated"), info.pop("truncated")
-        if "final_obs" in info:
-            ended = terminated | truncated
-            last: dict[str, Array] = {"player": np.where(ended, np.int8(-1), np.int8(0))}
-            last |= {key: info[key] * ended for key in ("legal", "potted")}
-            info["final_info"] = last | {f"_{key}": ended for key in last}
-            info["_final_obs"] = info["_final_info"] = ended
-        return observations, rewards, terminated, truncated, info
+        return self._results(self._core, actions)
 
     def render(self) -> tuple[Array, ...] | None:
         """A picture of every environment's table; None without a render mode."""

@@ -5,5 +5,15 @@ from __future__ import annotations
 from carom.player.analysis import Analysis, Leave, Recommendation
 from carom.player.decision import Decision, Play
 from carom.player.player import Player, players
+from carom.player.situation import Situation
 
-__all__ = ["Analysis", "Decision", "Leave", "Play", "Player", "Recommendation", "players"]
+__all__ = [
+    "Analysis",
+    "Decision",
+    "Leave",
+    "Play",
+    "Player",
+    "Recommendation",
+    "Situation",
+    "players",
+]

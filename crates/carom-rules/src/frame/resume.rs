@@ -24,11 +24,23 @@ impl Frame {
         let file = shot.to_node();
         let (table, physics) = (file.get("table").cloned(), file.get("physics").cloned());
         let mut frame = Self::new(rules, options, table, physics, 0)?;
-        let mut places = vec![None; frame.layout().len()];
+        let places = frame.places_of(shot)?;
+        frame.resume_at(&places, 0)?;
+        Ok(frame)
+    }
+
+    /// The places of the balls of `shot`, for [`Self::resume_at`]. Balls that are missing from the shot
+    /// are down.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a ball that the game does not have, with a mass or radius other than the
+    /// game's, or that is not at rest.
+    pub fn places_of(&self, shot: &Shot) -> Result<Vec<Option<[f64; 2]>>, Error> {
+        let mut places = vec![None; self.layout().len()];
         for (i, PlacedBall { id, ball, state }) in shot.balls().iter().enumerate() {
-            let index = usize::from(frame.ball(id, &format!("balls[{i}].id"))?);
+            let index = usize::from(self.ball(id, &format!("balls[{i}].id"))?);
             let wrong = |what: &str, remedy| Err(Error::input(format!("balls[{i}]"), what, remedy));
-            if *ball != frame.layout().balls()[index].ball {
+            if *ball != self.layout().balls()[index].ball {
                 return wrong("its mass or radius is not the game's", "leave them out");
             }
             if state.motion != MotionState::Stationary {
@@ -39,8 +51,7 @@ impl Frame {
             }
             places[index] = Some([state.position.x, state.position.y]);
         }
-        frame.resume_at(&places, 0)?;
-        Ok(frame)
+        Ok(places)
     }
 
     /// Continues the game with the balls at `places` (one entry for each ball of the layout, file

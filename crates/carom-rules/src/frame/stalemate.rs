@@ -2,6 +2,7 @@
 
 use crate::rules::Rules;
 use crate::state::FrameState;
+use crate::state_bytes::StateBytes;
 
 /// The stalemate that ends a frame. After an earlier one the balls are racked again.
 const LAST_STALEMATE: u32 = 2;
@@ -15,6 +16,21 @@ pub(super) struct StalemateCounter {
     fewest: usize,
     best_scores: [i32; 2],
     stalemates: u32,
+}
+
+impl StateBytes for StalemateCounter {
+    fn write_to(&self, out: &mut Vec<u8>) {
+        let Self { idle, fewest, best_scores, stalemates } = self;
+        (*fewest as u16).write_to(out);
+        [*idle, *stalemates].write_to(out);
+        best_scores.write_to(out);
+    }
+
+    fn read_from(bytes: &mut &[u8]) -> Option<Self> {
+        let fewest = u16::read_from(bytes)?.into();
+        let [idle, stalemates] = StateBytes::read_from(bytes)?;
+        Some(Self { idle, fewest, best_scores: StateBytes::read_from(bytes)?, stalemates })
+    }
 }
 
 /// The consequence of a stalemate.

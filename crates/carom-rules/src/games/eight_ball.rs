@@ -11,6 +11,7 @@ use crate::request::{Calls, Choice, Choices, Request};
 use crate::ruling::Foul;
 use crate::seat::{self, Seat};
 use crate::state::FrameState;
+use crate::state_bytes::state_bytes;
 
 const EIGHT: BallIndex = 8;
 
@@ -51,6 +52,8 @@ pub struct EightBall {
     /// Whether the next shot is the break.
     is_break: bool,
 }
+
+state_bytes!(struct EightBall { solids_of, breaker, is_break });
 
 impl EightBall {
     /// The group of `seat`; none while the table is open, and for a seat other than 0 and 1.

@@ -11,6 +11,7 @@ pub mod three_cushion;
 
 use crate::rules::Rules;
 use crate::ruling::Foul;
+use crate::state_bytes::StateBytes;
 
 pub(crate) use game::{GameRules, PlayedShot};
 
@@ -71,6 +72,29 @@ impl GameState {
             Rules::Snooker => Self::Snooker(Default::default()),
             Rules::ThreeCushion => Self::ThreeCushion(Default::default()),
             Rules::Practice => Self::Practice(Default::default()),
+        }
+    }
+
+    /// The state that `bytes` begin with, of the same game as this one.
+    pub(crate) fn read_same(&self, bytes: &mut &[u8]) -> Option<Self> {
+        Some(match self {
+            Self::EightBall(_) => Self::EightBall(StateBytes::read_from(bytes)?),
+            Self::Rotation(_) => Self::Rotation(StateBytes::read_from(bytes)?),
+            Self::StraightPool(_) => Self::StraightPool(StateBytes::read_from(bytes)?),
+            Self::Snooker(_) => Self::Snooker(StateBytes::read_from(bytes)?),
+            Self::ThreeCushion(_) => Self::ThreeCushion(StateBytes::read_from(bytes)?),
+            Self::Practice(_) => Self::Practice(StateBytes::read_from(bytes)?),
+        })
+    }
+
+    pub(crate) fn write_to(&self, out: &mut Vec<u8>) {
+        match self {
+            Self::EightBall(game) => game.write_to(out),
+            Self::Rotation(game) => game.write_to(out),
+            Self::StraightPool(game) => game.write_to(out),
+            Self::Snooker(game) => game.write_to(out),
+            Self::ThreeCushion(game) => game.write_to(out),
+            Self::Practice(game) => game.write_to(out),
         }
     }
 

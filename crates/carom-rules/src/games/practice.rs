@@ -7,6 +7,7 @@ use crate::region::Region;
 use crate::request::{Calls, Choice, Request};
 use crate::seat::Seat;
 use crate::state::FrameState;
+use crate::state_bytes::state_bytes;
 
 /// A practice table.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -14,6 +15,8 @@ pub struct Practice {
     /// Whether the next shot is the break.
     is_opening: bool,
 }
+
+state_bytes!(struct Practice { is_opening });
 
 impl GameRules for Practice {
     fn is_opening(&self) -> bool {

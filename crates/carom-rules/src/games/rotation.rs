@@ -9,6 +9,7 @@ use crate::request::{Calls, Choice, Request};
 use crate::ruling::Foul;
 use crate::seat::{self, Seat};
 use crate::state::FrameState;
+use crate::state_bytes::state_bytes;
 
 /// Nine-ball or ten-ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +21,8 @@ pub struct Rotation {
     /// Whether the next shot is the break.
     is_break: bool,
 }
+
+state_bytes!(struct Rotation { last, called, is_break });
 
 impl Rotation {
     pub(crate) const fn nine_ball() -> Self {

@@ -14,6 +14,7 @@ use crate::request::{Calls, Choice, Request, Turn};
 use crate::ruling::Foul;
 use crate::seat::{self, Seat};
 use crate::state::FrameState;
+use crate::state_bytes::state_bytes;
 
 use balls::CUE;
 use stroke::Stroke;
@@ -65,6 +66,9 @@ struct TableBefore {
     on: On,
     free_ball: bool,
 }
+
+state_bytes!(struct Snooker { on, is_opening, free_ball, break_points, misses, before });
+state_bytes!(struct TableBefore { places, turn, on, free_ball });
 
 impl Snooker {
     /// The kind of ball that is on.

@@ -13,6 +13,7 @@ use crate::request::{Calls, Choice, Request};
 use crate::ruling::Foul;
 use crate::seat::{self, Seat};
 use crate::state::FrameState;
+use crate::state_bytes::state_bytes;
 
 /// Points for a standard foul (WPA 4.9).
 const STANDARD_FOUL: i32 = -1;
@@ -32,6 +33,8 @@ pub struct StraightPool {
     /// Whether the next shot is an opening break.
     is_opening: bool,
 }
+
+state_bytes!(struct StraightPool { is_opening });
 
 impl StraightPool {
     fn next(state: &FrameState, seat: Seat, hand: Option<Region>) -> Request {

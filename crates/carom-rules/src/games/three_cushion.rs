@@ -13,6 +13,7 @@ use crate::request::{Calls, Choice, Request, Turn};
 use crate::ruling::Foul;
 use crate::seat::{self, Seat};
 use crate::state::FrameState;
+use crate::state_bytes::state_bytes;
 
 /// The red. Ball 0, the white, is the cue ball of seat 0; ball 1, the yellow, is that of seat 1.
 const RED: BallIndex = 2;
@@ -37,6 +38,8 @@ pub struct ThreeCushion {
     is_opening: bool,
     innings: [u32; 2],
 }
+
+state_bytes!(struct ThreeCushion { is_opening, innings });
 
 impl ThreeCushion {
     /// Number of innings that each seat has begun.

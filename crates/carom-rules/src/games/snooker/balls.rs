@@ -1,6 +1,7 @@
 //! The balls of snooker and their values.
 
 use crate::layout::{BallIndex, BallList, FrameLayout};
+use crate::state_bytes::state_bytes;
 
 pub(crate) const CUE: BallIndex = 0;
 pub(crate) const REDS: core::ops::RangeInclusive<BallIndex> = 1..=15;
@@ -28,6 +29,14 @@ pub enum On {
     /// The colours in ascending order.
     Sequence,
 }
+
+state_bytes!(
+    enum On {
+        Red,
+        Color,
+        Sequence,
+    }
+);
 
 impl On {
     /// The balls on, without a free ball.

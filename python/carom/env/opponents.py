@@ -1,0 +1,88 @@
+"""Opponents in Python: policies, and players of one's own."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from carom import _core
+from carom.env.arrays import floats
+from carom.errors import InputError
+from carom.noise import Noise
+from carom.player import Player, Situation
+from carom.player.situation import answer_arguments
+from carom.rules import Frame
+
+if TYPE_CHECKING:
+    from carom.call import PlayArguments
+
+#: What Rust calls when an opponent in Python has to answer.
+Ask = Callable[[Any], Any]
+
+
+def kind_of(opponent: Any) -> str | None:
+    """``player`` for an object with ``choose``, ``policy`` for a function, None for a name.
+
+    Raises:
+        InputError: It is none of these.
+    """
+    if isinstance(opponent, str):
+        return None
+    if callable(getattr(opponent, "choose", None)):
+        return "player"
+    if callable(opponent):
+        return "policy"
+    raise InputError(
+        f'opponent: found a {type(opponent).__name__}; write a name, such as "none", or give a '
+        "function from observations to actions, or an object with choose(situation)"
+    )
+
+
+def asking(opponent: Any, noise: Noise, width: int) -> Ask | None:
+    """The function with which Rust asks ``opponent``; None for a name.
+
+    Args:
+        opponent: The setting.
+        noise: Errors of the strikes of both players.
+        width: Size of an action.
+    """
+    kind = kind_of(opponent)
+    if kind is None:
+        return None
+    return _policy(opponent, width) if kind == "policy" else _player(opponent, noise)
+
+
+def _policy(policy: Callable[[Any], Any], width: int) -> Ask:
+    def actions(rows: Any) -> Any:
+        found = floats("opponent", policy(rows))
+        if found.shape != (len(rows), width):
+            raise InputError(
+                f"opponent: it returned actions of the shape {found.shape} for {len(rows)} "
+                f"observations; return {(len(rows), width)}"
+            )
+        return found
+
+    return actions
+
+
+def _player(player: Any, noise: Noise) -> Ask:
+    def choose(situation: Situation) -> Any:
+        if isinstance(player, Player):
+            frame, other = situation.frame, situation.opponent_noise
+            return player.choose(frame, noise=situation.noise, opponent_noise=other)
+        return player.choose(situation)
+
+    def answers(asked: list[tuple[int, int, _core.Frame]]) -> list[PlayArguments | str]:
+        found = []
+        for index, seat, core in asked:
+            try:
+                situation = Situation(Frame._seen(core), noise, noise, seat)
+                found.append(answer_arguments(choose(situation)))
+            except Exception as error:
+                error.add_note(
+                    f"The opponent of environment {index} was to answer as player {seat}."
+                )
+                raise
+        return found
+
+    return answers
