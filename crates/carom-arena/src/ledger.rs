@@ -81,14 +81,21 @@ impl Ledger {
     pub(crate) fn open(folder: &Path, secret: Secret, header: &Node) -> Result<Self, ArenaError> {
         let header = header.to_json_line();
         fs::create_dir_all(folder).map_err(ArenaError::file(folder))?;
-        let state = if folder.join(RECORD).exists() {
-            let points = finished_points(folder, &header)?;
-            // A program that was ended just after it wrote the record has left these.
-            remove_working_files(folder)?;
-            LedgerState::Finished(points)
-        } else {
-            write_new(&folder.join(SECRET), &format!("{}\n", secret.to_hex()))?;
-            open_played(folder, &header)?
+        let record = folder.join(RECORD);
+        // The lock comes before the look at the other files: two programs may begin at once. The
+        // record may have been written while this one waited to open the file.
+        let played = if record.exists() { None } else { Some(open_locked(&folder.join(PLAYED))?) };
+        let state = match played {
+            Some(file) if !record.exists() => {
+                write_new(&folder.join(SECRET), &format!("{}\n", secret.to_hex()))?;
+                begin_or_continue(file, &folder.join(PLAYED), &header)?
+            }
+            _ => {
+                let points = finished_points(folder, &header)?;
+                // A program that was ended just after it wrote the record has left these.
+                remove_working_files(folder)?;
+                LedgerState::Finished(points)
+            }
         };
         Ok(Self { folder: folder.into(), secret, header, state })
     }
@@ -231,17 +238,32 @@ fn finished_points(folder: &Path, header: &str) -> Result<Vec<[FramePoints; 2]>,
     Ok(points.as_chunks().0.to_vec())
 }
 
-/// Opens `played.jsonl`, or begins it with the header.
-fn open_played(folder: &Path, header: &str) -> Result<LedgerState, ArenaError> {
-    let path = folder.join(PLAYED);
-    write_new(&path, &format!("{header}\n"))?;
-    let open = OpenOptions::new().read(true).append(true).open(&path);
-    let file = open.map_err(ArenaError::file(&path))?;
-    lock(&file, &path)?;
-    let (pairs, end) = read_played(&file, &path, header)?;
+/// Opens the file, which is made if it is missing and never replaced, and locks it.
+fn open_locked(path: &Path) -> Result<File, ArenaError> {
+    let open = OpenOptions::new().read(true).append(true).create(true).open(path);
+    let file = open.map_err(ArenaError::file(path))?;
+    lock(&file, path)?;
+    Ok(file)
+}
+
+/// Reads `played.jsonl`, or begins it with the header.
+fn begin_or_continue(mut file: File, path: &Path, header: &str) -> Result<LedgerState, ArenaError> {
+    if !has_line(&file).map_err(ArenaError::file(path))? {
+        file.set_len(0).map_err(ArenaError::file(path))?;
+        file.write_all(format!("{header}\n").as_bytes()).map_err(ArenaError::file(path))?;
+    }
+    file.rewind().map_err(ArenaError::file(path))?;
+    let (pairs, end) = read_played(&file, path, header)?;
     // What follows is the incomplete rest of a pair.
-    file.set_len(end).map_err(ArenaError::file(&path))?;
+    file.set_len(end).map_err(ArenaError::file(path))?;
     Ok(LedgerState::Open { file, end, pairs })
+}
+
+/// Whether the first line is complete.
+fn has_line(file: &File) -> std::io::Result<bool> {
+    let mut line = Vec::new();
+    BufReader::new(file).read_until(b'\n', &mut line)?;
+    Ok(line.ends_with(b"\n"))
 }
 
 /// Locks the file until it is closed: two programs that write it would destroy it.

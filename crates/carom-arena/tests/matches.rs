@@ -197,6 +197,26 @@ fn a_match_is_not_played_by_two_programs_at_once() {
     assert_eq!(report.pairs, 1);
 }
 
+/// The file was locked after it had been written and moved to its place: of two programs that began
+/// at once, the second replaced the file that the first had locked.
+#[test]
+fn of_two_programs_that_begin_a_match_at_once_the_second_changes_nothing() {
+    let plan = plan(short(Rules::NineBall), 1);
+    let folder = Folder::new("at-once");
+    fs::create_dir_all(folder.path()).unwrap();
+    let path = folder.path().join("played.jsonl");
+    let first = fs::File::create(&path).unwrap();
+    first.lock().unwrap();
+    let play =
+        || play_match(&plan, folder.path(), &random_players, &runner(1), &Progress::default());
+    let error = play().unwrap_err().to_string();
+    assert!(error.starts_with("folder: another program is playing this match"), "{error}");
+    assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1, "it wrote no secret");
+    // A program that was ended before it wrote the header has left the file empty.
+    drop(first);
+    assert_eq!(play().unwrap().pairs, 1);
+}
+
 #[cfg(feature = "os-secret")]
 #[test]
 fn a_secret_of_the_operating_system_is_kept_for_the_continuation() {
