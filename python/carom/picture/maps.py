@@ -11,7 +11,7 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.colors import ListedColormap, Normalize
 from matplotlib.figure import Figure
 
-from carom.arguments import instance
+from carom.errors import InputError
 from carom.picture import colors
 from carom.picture.balls import draw_ball
 from carom.picture.output import as_written, to_png, to_svg
@@ -58,9 +58,12 @@ def _draw(found: Drawn, title: str | None) -> Figure:
         return _draw_positions(found, title or f"after {found.ball} into {found.pocket}")
     if isinstance(found, Acceptance):
         return _draw_acceptance(found, title or f"acceptance of {found.pocket}")
-    such_as = "the result of carom.break_statistics()"
-    breaks = instance("found", found, BreakStatistics, such_as)
-    return _draw_breaks(breaks, title or f"{breaks.racks} breaks of {breaks.game}")
+    if isinstance(found, BreakStatistics):
+        return _draw_breaks(found, title or f"{found.racks} breaks of {found.game}")
+    raise InputError(
+        f"found: found a {type(found).__name__}; give a carom.Shot, a carom.Frame, a carom.Trace, "
+        "or the answer to a question about a shot"
+    )
 
 
 def svg(found: Drawn, *, title: str | None = None) -> str:

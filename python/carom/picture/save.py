@@ -6,10 +6,12 @@ from typing import TYPE_CHECKING
 
 from carom.errors import InputError
 from carom.files import checked_path, write_whole
-from carom.picture import canvas, evaluation, maps, plays, solutions
+from carom.picture import canvas, evaluation, maps, plays, solutions, still
 from carom.picture.output import to_png, to_svg
 from carom.plan import Evaluation, Solution
 from carom.player import Analysis
+from carom.rules import Frame
+from carom.shot import Shot
 from carom.trace import Trace
 
 if TYPE_CHECKING:
@@ -22,7 +24,7 @@ if TYPE_CHECKING:
 
 
 def save(
-    found: Trace | Evaluation | Analysis | Sequence[Solution] | Drawn,
+    found: Trace | Shot | Frame | Evaluation | Analysis | Sequence[Solution] | Drawn,
     path: str | os.PathLike[str],
     *,
     title: str | None = None,
@@ -31,8 +33,9 @@ def save(
     """Write the picture of an answer to a file; the same file for the same answer.
 
     Args:
-        found: A trace, the result of ``Shot.evaluate``, ``Shot.solve`` or ``Player.explain``, a
-            map, a table of cushion shots, or statistics of breaks.
+        found: A trace; a shot or a frame, whose balls are drawn before they move; the result of
+            ``Shot.evaluate``, ``Shot.solve`` or ``Player.explain``; a map, a table of cushion
+            shots, or statistics of breaks.
         path: The file. Its ending chooses the format: ``.svg`` or ``.png``.
         title: Heading; None writes a default one.
         leave: For solutions, the disc that was passed to ``solve``, to be drawn as well.
@@ -51,13 +54,22 @@ def save(
     write_whole(file, to_png(figure))
 
 
+def png_of(found: Trace | Shot | Frame, dots_per_inch: int) -> bytes:
+    """The content of a PNG file with a trace, a shot or a frame."""
+    return to_png(_draw(found, None, None), dots_per_inch=dots_per_inch)
+
+
 def _draw(
-    found: Trace | Evaluation | Analysis | Sequence[Solution] | Drawn,
+    found: Trace | Shot | Frame | Evaluation | Analysis | Sequence[Solution] | Drawn,
     title: str | None,
     leave: tuple[Sequence[float], float] | None,
 ) -> Figure:
     if isinstance(found, Trace):
         return canvas.draw(found, title=title)
+    if isinstance(found, Shot):
+        return still.draw_shot(found, title=title)
+    if isinstance(found, Frame):
+        return still.draw_frame(found, title=title)
     if isinstance(found, Evaluation):
         return evaluation.draw(found, title=title)
     if isinstance(found, Analysis):
