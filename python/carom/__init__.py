@@ -15,6 +15,7 @@ table's width, y along its length, z up from the slate.
 from importlib import import_module
 from typing import TYPE_CHECKING
 
+from carom import notebook
 from carom._core import __version__
 from carom.arena import MatchReplay, MatchResult, play_match, replay_match
 from carom.batch import BatchResult, simulate_batch
@@ -135,12 +136,12 @@ __all__ = [
 ]
 
 
-def _svg_of(trace: Trace) -> str:
-    svg: str = import_module("carom.picture").svg(trace)
-    return svg
+def _png_of(found: object, dots_per_inch: int) -> bytes:
+    png: bytes = import_module("carom.picture.save").png_of(found, dots_per_inch)
+    return png
 
 
-Trace._svg_of = _svg_of
+notebook._drawn["png"] = _png_of
 
 # Modules that few programs use; they are imported when they are first used.
 _LAZY_MODULES = {"bench", "convert", "page", "picture", "serve"}

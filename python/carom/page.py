@@ -7,13 +7,14 @@ network, because everything that it shows is inside the file.
 from __future__ import annotations
 
 import json
-import sys
 from html import escape
+from importlib import import_module
 from pathlib import Path
 from typing import Any, Protocol
 
 from carom.arguments import text as checked_text
 from carom.arguments import whole
+from carom.deprecated import warn
 from carom.errors import InputError, PageError
 
 # The element of the page that holds the document, and the page's title.
@@ -77,19 +78,39 @@ def html(document: Document | None = None, *, title: str | None = None) -> str:
     if title is not None:
         page = page.replace(TITLE, f"<title>{escape(title)} · carom</title>", 1)
     if document is not None:
-        # In JSON, < occurs only within strings. Escaped, no string can end the script element.
-        text = json.dumps(document.to_dict(), separators=(",", ":")).replace("<", "\\u003c")
         before, marker, after = page.partition(MARKER)
         if not marker:
             raise PageError(
                 f"{path()} is not a page of this version of carom; run `make page` again"
             )
-        page = before + marker + text + after
+        page = before + marker + json_of(document) + after
     return page
 
 
+def json_of(document: Document) -> str:
+    """A shot or a trace as JSON that may stand in a script element.
+
+    Raises:
+        InputError: It is neither.
+    """
+    if not hasattr(document, "to_dict"):
+        found = type(document).__name__
+        raise InputError(f"document: found a {found}; give a carom.Shot or a carom.Trace")
+    # In JSON, < occurs only within strings. Escaped, no string can end the script element.
+    return json.dumps(document.to_dict(), separators=(",", ":")).replace("<", "\\u003c")
+
+
+def checked_height(height: int) -> int:
+    """A height of an element, CSS pixels.
+
+    Raises:
+        InputError: It is out of range.
+    """
+    return whole("height", height, MOST_HEIGHT + 1, low=1)
+
+
 def frame(document: Document, *, height: int = HEIGHT) -> str:
-    """The page as an element of another page, for notebooks.
+    """The page as an element of another page; it needs nothing else.
 
     It runs in a sandbox, so that it can neither read nor change the page around it.
 
@@ -101,7 +122,7 @@ def frame(document: Document, *, height: int = HEIGHT) -> str:
         InputError: ``document`` is neither a shot nor a trace, or the height is out of range.
         PageError: The page is not built into this installation.
     """
-    height = whole("height", height, MOST_HEIGHT + 1, low=1)
+    height = checked_height(height)
     # Inside double quotes only these two characters need to be escaped.
     page = html(document).replace("&", "&amp;").replace('"', "&quot;")
     return (
@@ -111,26 +132,8 @@ def frame(document: Document, *, height: int = HEIGHT) -> str:
     )
 
 
-def show(document: Document, *, height: int = HEIGHT) -> None:
-    """Show a shot or a trace in the notebook; outside a notebook, in the browser until Ctrl-C.
-
-    Raises:
-        InputError: As from :func:`frame`.
-        PageError: The page is not built into this installation.
-    """
-    if _in_notebook():
-        # IPython is there only in a notebook.
-        from IPython.display import HTML, display
-
-        display(HTML(frame(document, height=height)))
-        return
-    # A server's modules take as long to load as half of carom.
-    from carom.serve import serve
-
-    serve(html(document), beside=beside())
-
-
-def _in_notebook() -> bool:
-    ipython = sys.modules.get("IPython")
-    shell = ipython.get_ipython() if ipython else None
-    return hasattr(shell, "kernel")
+def __getattr__(name: str) -> object:
+    if name == "show":
+        warn("carom.page.show()", "carom.notebook.show()")
+        return import_module("carom.notebook").show
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -7,7 +7,7 @@ from copy import deepcopy
 from dataclasses import dataclass, replace
 from typing import Any, Self
 
-from carom import _core
+from carom import _core, notebook
 from carom.arguments import instance, number, numbers, text, truth, whole
 from carom.batch import VARIABLES
 from carom.build import Physics, Strike, Table
@@ -530,6 +530,10 @@ class Frame:
         ruling = self._core.concede()
         self._moves.append({"concede": True})
         return Ruling._read(ruling)
+
+    def _repr_html_(self) -> str:
+        """The picture, for notebooks."""
+        return notebook.image(self)
 
     def __str__(self) -> str:
         return self.describe()

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any, Self
 
-import carom
-from carom import _core, arguments, plan
+from carom import _core, arguments, notebook, page, plan
 from carom._core import Shot as CoreShot
 from carom.batch import VARIABLES, batch, own_strike
 from carom.build import Layout, Physics, Strike, Table, like
@@ -347,11 +346,11 @@ class Shot:
         Raises:
             PageError: The page is not built into this installation.
         """
-        carom.page.show(self, height=height or carom.page.HEIGHT)
+        notebook.show(self, height=height or page.HEIGHT)
 
-    def _repr_html_(self) -> str | None:
-        """The viewer, for notebooks; None if the page is not built."""
-        return carom.page.frame(self) if carom.page.is_built() else None
+    def _repr_html_(self) -> str:
+        """The viewer, for notebooks; a picture if the page is not built."""
+        return notebook.cell(self) if page.is_built() else notebook.image(self)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Shot) and self._core.equals(other._core)

@@ -7,7 +7,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import carom
-from carom import _core, arguments
+from carom import _core, arguments, notebook, page
 from carom._core import Shot as CoreShot
 from carom._core import Trace as CoreTrace
 from carom.errors import InputError
@@ -53,10 +53,9 @@ class Trace:
 
     # No __slots__: cached_property keeps its values in the instance's dict.
     _core: CoreTrace
-    # Functions for the shot of a Rust object and for the picture of a trace. carom/shot.py and
-    # carom/__init__.py set them, because this module must not import the layers above it.
+    # The function for the shot of a Rust object. carom/shot.py sets it, because this module must
+    # not import the layers above it.
     _shot_of: ClassVar[Callable[[CoreShot], carom.Shot]]
-    _svg_of: ClassVar[Callable[[Trace], str]]
 
     def __init__(self) -> None:
         raise TypeError("a Trace comes from Shot.simulate(), Trace.load() or Trace.from_dict()")
@@ -222,15 +221,11 @@ class Trace:
         Raises:
             PageError: The page is not built into this installation.
         """
-        carom.page.show(self, height=height or carom.page.HEIGHT)
+        notebook.show(self, height=height or page.HEIGHT)
 
     def _repr_html_(self) -> str:
         """The viewer, for notebooks; a picture if the page is not built."""
-        if carom.page.is_built():
-            return carom.page.frame(self)
-        text = Trace._svg_of(self)
-        # The XML prologue of a stand-alone file is not allowed inside a page.
-        return text[text.index("<svg") :]
+        return notebook.cell(self) if page.is_built() else notebook.image(self)
 
     def __len__(self) -> int:
         return len(self._dict["events"])

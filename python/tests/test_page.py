@@ -19,7 +19,7 @@ from typing import TYPE_CHECKING, Any
 
 import carom
 import pytest
-from carom import PageError, Shot, page, serve
+from carom import PageError, Shot, notebook, page, serve
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -96,13 +96,15 @@ def test_show_displays_the_viewer_in_a_notebook(
 ) -> None:
     shown: list[str] = []
     display = SimpleNamespace(HTML=str, display=shown.append)
-    ipython = SimpleNamespace(get_ipython=lambda: SimpleNamespace(kernel=None), display=display)
+    monkeypatch.setattr(notebook, "_carrier", None)
+    shell = SimpleNamespace(kernel=None)
+    ipython = SimpleNamespace(get_ipython=lambda: shell, display=display, version_info=(9, 0))
     monkeypatch.setitem(sys.modules, "IPython", ipython)
     monkeypatch.setitem(sys.modules, "IPython.display", display)
     Shot.from_dict(pot).simulate().show(height=300)
     Shot.from_dict(pot).show()
-    assert ["height: 300px" in text for text in shown] == [True, False]
-    assert all(text.startswith("<iframe ") for text in shown)
+    assert ['height="300"' in text for text in shown] == [True, False]
+    assert all(text.startswith("<div data-carom-page=") for text in shown)
 
 
 @pytest.mark.usefixtures("small")
@@ -119,8 +121,10 @@ def test_show_serves_the_page_outside_a_notebook(
 @pytest.mark.usefixtures("missing")
 def test_without_the_page_a_notebook_shows_the_picture(pot: dict[str, Any]) -> None:
     shot = Shot.from_dict(pot)
-    assert shot._repr_html_() is None
-    assert shot.simulate()._repr_html_().startswith("<svg")
+    for thing in (shot, shot.simulate(), carom.Frame("nine-ball")):
+        text = thing._repr_html_()
+        assert text.startswith('<img src="data:image/png;base64,')
+        assert "<script" not in text
 
 
 @pytest.mark.usefixtures("missing")

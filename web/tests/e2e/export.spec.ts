@@ -97,6 +97,57 @@ print(trace._repr_html_())
   await context.close();
 });
 
+/** Cells of a notebook whose kernel is this program; the first one has the page. */
+const CELLS = `
+import json, sys, types
+shell = types.SimpleNamespace(kernel=None, execution_count=1, get_parent=dict)
+sys.modules["IPython"] = types.SimpleNamespace(get_ipython=lambda: shell, version_info=(9, 0))
+import carom
+shot = carom.break_shot("nine-ball")
+shown = [shot, shot.simulate(), carom.Frame("snooker")]
+print(json.dumps([thing._repr_html_() for thing in shown]))
+`;
+
+test("the cells of a notebook share one page, in whichever order they are drawn", async ({
+  browser,
+}) => {
+  const python = join(dirname(NATIVE), "python");
+  const out = execFileSync(python, ["-c", CELLS], { maxBuffer: 1e9 }).toString();
+  const [shot, trace, frame] = JSON.parse(out) as [string, string, string];
+  expect(trace.length).toBeLessThan(300_000);
+  const written = (name: string, cells: string[]) => {
+    writeFileSync(join(folder, name), `<!doctype html>${cells.join("<hr>")}`);
+    return address(name);
+  };
+  // A frame that is out of view is not drawn, so all of them are in view.
+  const viewport = { width: 1000, height: 2400 };
+  const context = await browser.newContext({ offline: true, viewport });
+  const page = await context.newPage();
+  // The cell with the page is the last one here, as in a notebook that was sorted after its run.
+  await page.goto(written("cells.html", [trace, frame, shot]));
+  await page.waitForFunction(() => document.querySelectorAll("iframe").length === 2);
+  const modes = [];
+  for (const cell of page.frames().slice(1)) {
+    await cell.waitForFunction(
+      () => performance.getEntriesByName("carom:interactive").length > 0,
+      undefined,
+      { timeout: STARTING },
+    );
+    modes.push(await cell.evaluate(() => window.carom!.store.session.mode));
+  }
+  expect(modes.sort()).toEqual(["aim", "replay"]);
+  // Without the cell with the page, and without scripts, the pictures stay.
+  await page.goto(written("no-page.html", [trace, frame]));
+  expect(await page.locator("img").count()).toBe(2);
+  expect(await page.locator("iframe").count()).toBe(0);
+  const untrusted = await browser.newContext({ javaScriptEnabled: false });
+  const plain = await untrusted.newPage();
+  await plain.goto(address("cells.html"));
+  expect(await plain.locator("img").count()).toBe(3);
+  await untrusted.close();
+  await context.close();
+});
+
 test("an embedded trace plays by itself in a frame, then the remaining balls can be aimed at", async ({
   browser,
 }) => {
