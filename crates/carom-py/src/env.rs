@@ -122,7 +122,7 @@ impl StartArgument<'_> {
     fn start(&self) -> EpisodeStart {
         match self {
             Self::Shot(shot) => EpisodeStart::Shot(carom::Shot::clone(&shot.0)),
-            Self::Frame(frame) => EpisodeStart::Frame(frame.0.clone().into()),
+            Self::Frame(frame) => EpisodeStart::Frame(frame.get().into()),
         }
     }
 }
@@ -175,7 +175,7 @@ fn replies(
         let frames: Vec<(usize, usize, Option<Frame>)> = asked
             .iter()
             .map(|asked| {
-                (asked.index, asked.seat(), asked.frame().map(|f| Frame(f.without_seed())))
+                (asked.index, asked.seat(), asked.frame().map(|f| Frame::from(f.without_seed())))
             })
             .collect();
         let answers: Vec<AnswerArguments> = ask.bind(py).call1((frames,))?.extract()?;
@@ -355,7 +355,7 @@ impl VectorEnv {
     fn frame(&self, py: Python<'_>, index: usize) -> PyResult<Option<Frame>> {
         let envs = self.lock()?;
         let frame = envs.frame(index).map_err(|e| to_exception(py, &e))?;
-        Ok(frame.map(|frame| Frame(frame.without_seed())))
+        Ok(frame.map(|frame| Frame::from(frame.without_seed())))
     }
 
     fn shot(&self, py: Python<'_>, index: usize) -> PyResult<Shot> {

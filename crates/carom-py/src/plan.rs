@@ -37,7 +37,7 @@ pub(crate) fn evaluate<'py>(
         .map_err(raise)?;
     let referee = referee
         .map(|(frame, (kind, ball, pocket))| {
-            let frame = frame.0.clone();
+            let frame = frame.get();
             let call = frame.call(&kind, ball.as_deref(), pocket.as_deref())?;
             Ok((frame, call))
         })

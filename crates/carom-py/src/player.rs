@@ -189,7 +189,7 @@ impl Player {
         thinking: ThinkingOptions,
         threads: usize,
     ) -> PyResult<DecisionFields> {
-        let frame = frame.0.clone();
+        let frame = frame.get();
         let decide = |budget: &Budget<'_>| -> Result<Decision, Error> {
             self.of.check_budget(budget)?;
             self.of.make()?.decide(&thinking.situation(&frame), budget)
@@ -213,7 +213,7 @@ impl Player {
         plays: usize,
         threads: usize,
     ) -> PyResult<AnalysisFields> {
-        let frame = frame.0.clone();
+        let frame = frame.get();
         let analyse = |budget: &Budget<'_>| -> Result<Analysis, Error> {
             self.of.searcher()?.analyse(&thinking.situation(&frame), budget, plays)
         };

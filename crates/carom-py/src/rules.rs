@@ -1,5 +1,7 @@
 //! `_core.Frame`.
 
+use std::sync::{Mutex, PoisonError};
+
 use carom::Error;
 use carom::format::Node;
 use carom::shot::{Cling, StrikePolicy};
@@ -97,32 +99,50 @@ impl AnswerArguments {
 const CONCEDE: &str = "concede";
 
 /// A game in progress.
-#[pyclass(module = "carom._core")]
-pub(crate) struct Frame(pub(crate) carom_rules::Frame);
+#[pyclass(frozen, module = "carom._core")]
+pub(crate) struct Frame(Mutex<carom_rules::Frame>);
+
+impl From<carom_rules::Frame> for Frame {
+    fn from(frame: carom_rules::Frame) -> Self {
+        Self(Mutex::new(frame))
+    }
+}
 
 impl Frame {
+    /// What `use_it` returns. It must not run Python's code: meanwhile another thread could use the frame.
+    fn with<T>(&self, use_it: impl FnOnce(&mut carom_rules::Frame) -> T) -> T {
+        use_it(&mut self.0.lock().unwrap_or_else(PoisonError::into_inner))
+    }
+
+    /// A copy of the frame.
+    pub(crate) fn get(&self) -> carom_rules::Frame {
+        self.with(|frame| frame.clone())
+    }
+
     fn play_of(&self, py: Python<'_>, arguments: PlayArguments) -> PyResult<Play> {
         let cling = match &arguments.cling {
             Some(cling) => Some(from_python(cling.bind(py))?),
             None => None,
         };
-        read_play(&self.0, arguments, cling.as_ref()).map_err(|e| to_exception(py, &e))
+        read_play(&self.get(), arguments, cling.as_ref()).map_err(|e| to_exception(py, &e))
     }
 
     /// What was played, the ruling and the trace.
     fn play_noisy(
-        &mut self,
+        &self,
         meant: &Play,
         noise: Option<NoiseOptions>,
         seeds: ErrorSeeds,
     ) -> Result<(Play, Ruling, carom::Trace), Error> {
-        let play = match noise {
-            Some(noise) => self.0.draw_play(meant, &noise.noise(), seeds)?,
-            None => *meant,
-        };
-        let trace = self.0.shot(&play)?.simulate()?;
-        let ruling = self.0.apply(&play, &trace)?;
-        Ok((play, ruling, trace))
+        self.with(|frame| {
+            let play = match noise {
+                Some(noise) => frame.draw_play(meant, &noise.noise(), seeds)?,
+                None => *meant,
+            };
+            let trace = frame.shot(&play)?.simulate()?;
+            let ruling = frame.apply(&play, &trace)?;
+            Ok((play, ruling, trace))
+        })
     }
 }
 
@@ -141,7 +161,7 @@ impl Frame {
         let rules = Rules::read(game).map_err(|e| to_exception(py, &e))?;
         let options = Options { points, miss, patience };
         carom_rules::Frame::new(rules, options, optional(table)?, optional(physics)?, seed)
-            .map(Self)
+            .map(Self::from)
             .map_err(|e| to_exception(py, &e))
     }
 
@@ -170,42 +190,42 @@ impl Frame {
         let options = Options { points, miss, patience };
         let frame = Rules::read(game)
             .and_then(|rules| carom_rules::Frame::of_shot(rules, options, &shot.0));
-        frame.map(Self).map_err(|e| to_exception(py, &e))
+        frame.map(Self::from).map_err(|e| to_exception(py, &e))
     }
 
     fn to_object<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.0.to_node())
+        to_python(py, &self.get().to_node())
     }
 
     /// Table and physics, as a shot file has them.
     fn base<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.0.base().to_node())
+        to_python(py, &self.get().base().to_node())
     }
 
     /// The frame as text.
     fn describe(&self) -> String {
-        self.0.describe()
+        self.get().describe()
     }
 
     /// The JSON Schema of an answer to the request.
     fn answer_schema<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.0.answer_schema())
+        to_python(py, &self.get().answer_schema())
     }
 
     /// Lower left and upper right corner of the box in which the cue ball may be placed, m.
     #[getter]
     fn hand_bounds(&self) -> Option<[[f64; 2]; 2]> {
-        self.0.hand_bounds()
+        self.get().hand_bounds()
     }
 
     fn shot(&self, py: Python<'_>, play: PlayArguments) -> PyResult<Shot> {
         let play = self.play_of(py, play)?;
-        self.0.shot(&play).map(Shot::from).map_err(|e| to_exception(py, &e))
+        self.get().shot(&play).map(Shot::from).map_err(|e| to_exception(py, &e))
     }
 
     /// Plays a shot, with the errors of `noise` if there is one: of the frame's or the seats' `seeds`.
     fn play<'py>(
-        &mut self,
+        &self,
         py: Python<'py>,
         play: PlayArguments,
         noise: Option<NoiseOptions>,
@@ -217,23 +237,24 @@ impl Frame {
         let Play { strike: s, cling, .. } = play;
         let strike = (s.speed, s.azimuth, s.elevation, s.side, s.height);
         let cling = (!cling.is_empty()).then(|| to_python(py, &cling.to_node())).transpose()?;
-        let ruling = to_python(py, &self.0.ruling_node(&ruling))?;
+        let ruling = to_python(py, &self.get().ruling_node(&ruling))?;
         Ok((ruling, Trace::from(trace), strike, cling))
     }
 
-    fn choose<'py>(&mut self, py: Python<'py>, choice: &str) -> PyResult<Bound<'py, PyAny>> {
-        let chosen = Choice::read(choice).and_then(|choice| self.0.choose(choice));
+    fn choose<'py>(&self, py: Python<'py>, choice: &str) -> PyResult<Bound<'py, PyAny>> {
+        let chosen =
+            Choice::read(choice).and_then(|choice| self.with(|frame| frame.choose(choice)));
         let ruling = chosen.map_err(|e| to_exception(py, &e))?;
-        to_python(py, &self.0.ruling_node(&ruling))
+        to_python(py, &self.get().ruling_node(&ruling))
     }
 
-    fn concede<'py>(&mut self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let ruling = self.0.concede().map_err(|e| to_exception(py, &e))?;
-        to_python(py, &self.0.ruling_node(&ruling))
+    fn concede<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        let ruling = self.with(carom_rules::Frame::concede).map_err(|e| to_exception(py, &e))?;
+        to_python(py, &self.get().ruling_node(&ruling))
     }
 
     fn copy(&self) -> Self {
-        Self(self.0.clone())
+        self.get().into()
     }
 }
 

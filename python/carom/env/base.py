@@ -291,6 +291,8 @@ def _bytes(state: Any) -> bytes:
 
 def _where(ended: Array, values: Array) -> Array:
     """``values`` where episodes ended; 0, or None for objects, elsewhere."""
+    if ended.all():
+        return values
     if values.dtype == object:
         out = np.full(values.shape, None, dtype=object)
         out[ended] = values[ended]

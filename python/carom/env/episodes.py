@@ -211,7 +211,10 @@ class _Episode:
     def columns(self, pa: Any, seen: Box, acted: Box) -> dict[str, Any]:
         """The columns of Minari, each one row longer than the episode has steps."""
         ends = np.asarray(self.ends, dtype=bool)
-        infos = {key: np.array([info[key] for info in self.infos]) for key in _INFOS}
+        infos = {
+            key: np.array([info[key] for info in self.infos], dtype=first.dtype)
+            for key, first in _INFOS.items()
+        }
         return {
             "observations": _lists(pa, self.observations, seen, 0),
             "actions": _lists(pa, self.actions, acted, 1),
