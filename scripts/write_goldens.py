@@ -153,7 +153,9 @@ def decided(
     if "perception" in given:
         given["perception"] = carom.Perception(**given["perception"])
     player = carom.Player(given.pop("name", None), **given)
-    row: dict[str, Any] = {"options": options, "record": frame.record}
+    # Without the engine's version, which does not change a decision.
+    record = {key: value for key, value in frame.record.items() if key != "engine"}
+    row: dict[str, Any] = {"options": options, "record": record}
     if count is None:
         made = player.choose(frame, **told)
         spent: Any = made
@@ -185,13 +187,14 @@ def _plain_play(play: dict[str, Any]) -> dict[str, Any]:
 
 
 def _moves(frame: carom.Frame, chance: random.Random, most: int = MOVES) -> list[dict[str, Any]]:
-    """Play random moves: each move with its ruling and the hash of its shot."""
+    """Play random moves: each move with its ruling, and the hashes of its shot and of the frame."""
     moves: list[dict[str, Any]] = []
     while len(moves) < most and not frame.over:
         request = frame.request
         if request["kind"] == "choice":
             choice = chance.choice(request["choices"])
-            moves.append({"choice": choice, "ruling": _plain(frame.choose(choice))})
+            ruling = _plain(frame.choose(choice))
+            moves.append({"choice": choice, "ruling": ruling, "frame": frame.hash})
             continue
         numbers: dict[str, Any] = {
             "speed": chance.uniform(1.0, 8.0),
@@ -210,7 +213,14 @@ def _moves(frame: carom.Frame, chance: random.Random, most: int = MOVES) -> list
         if call is not None:
             said = {"kind": call.kind, "ball": call.ball, "into": call.into}
             play["call"] = {key: value for key, value in said.items() if value is not None}
-        moves.append({"play": play, "hash": ruling.trace.hash, "ruling": _plain(ruling)})
+        moves.append(
+            {
+                "play": play,
+                "hash": ruling.trace.hash,
+                "ruling": _plain(ruling),
+                "frame": frame.hash,
+            }
+        )
     return moves
 
 

@@ -21,6 +21,8 @@ from carom.shot import Shot
 from carom.trace import Trace
 
 _FORMAT = "carom-frame/1"
+# Name and version, as a trace has them under `engine`.
+ENGINE = f"carom {_core.__version__}"
 
 #: A frame in Rust that a player sees.
 SeenFrame = _core.Frame
@@ -193,7 +195,7 @@ class Frame:
             try:
                 frame._make(move)
             except InputError as error:
-                raise InputError(f"moves[{index}]: {error}") from None
+                raise InputError(f"moves[{index}]: {error}{_other_engine(record)}") from None
         return frame
 
     def _is_applied(self, move: Any, previous: Any) -> bool:
@@ -237,7 +239,8 @@ class Frame:
     def record(self) -> dict[str, Any]:
         """The start of the frame and all its moves, as plain values that JSON can hold.
 
-        The keys are ``format``; ``setup``: the arguments of ``Frame`` or ``Frame.of_shot``;
+        The keys are ``format``; ``engine``: the name and version that made the record; ``setup``:
+        the arguments of ``Frame`` or ``Frame.of_shot``;
         ``moves``: each with ``play`` (``strike`` in SI units and radians, with ``obstruction`` and
         ``miscue`` where they are not the usual ones; ``cue_ball``, ``call``, ``cling``),
         ``choice`` or ``concede``. ``Frame.replay`` restores the frame; ``pickle`` uses both.
@@ -250,7 +253,26 @@ class Frame:
                 "record: this frame is a copy for a player, without its seed and its moves; "
                 "use frame.copy() to try a shot, or keep frame.to_dict()"
             )
-        return deepcopy({"format": _FORMAT, "setup": self._setup, "moves": self._moves})
+        return deepcopy(
+            {
+                "format": _FORMAT,
+                "engine": ENGINE,
+                "setup": self._setup,
+                "moves": self._moves,
+            }
+        )
+
+    @property
+    def hash(self) -> str:
+        """16 hex digits over everything that decides how the frame goes on.
+
+        They cover the game and its options, table, physics and policies, the exact bits of the
+        balls' places, the request, scores and fouls, all that the rules keep from shot to shot, and
+        the seed of the racks to come. The same version of the engine gives the same value in Rust,
+        Python and JavaScript on every platform, so two programs that play one game can compare it
+        (docs/lockstep.md).
+        """
+        return self._core.hash
 
     def __reduce__(self) -> tuple[Any, tuple[dict[str, Any]]]:
         return Frame.replay, (self.record,)
@@ -550,6 +572,14 @@ def _seeds(seed: int | Sequence[int]) -> int | tuple[int, int]:
             raise InputError(f"seed: found {len(seed)} seeds; give one, or one for each player")
         return whole("seed[0]", seed[0]), whole("seed[1]", seed[1])
     return whole("seed", seed)
+
+
+def _other_engine(record: Mapping[str, Any]) -> str:
+    """The end of an error's sentence: the engine that made a record, if it is another one."""
+    made = record.get("engine")
+    if not isinstance(made, str) or made == ENGINE:
+        return ""
+    return f" (the record was made by {made}, and this is {ENGINE})"
 
 
 def play_arguments(

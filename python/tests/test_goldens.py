@@ -73,11 +73,44 @@ def test_the_moves_of_a_game_have_their_golden_rulings(
         if "hash" in move:
             assert ruling.trace is not None
             assert ruling.trace.hash == move["hash"]
+        assert frame.hash == move["frame"]
         said = move["ruling"]
         assert [ruling.legal, ruling.racked] == [said["legal"], said["racked"]]
         assert [list(ruling.fouls), list(ruling.points)] == [said["fouls"], said["points"]]
         assert list(ruling.spotted) == said["spotted"]
     assert json.loads(json.dumps(frame.to_dict())) == golden["end"]
+
+
+def test_the_hash_of_a_frame_is_that_of_its_copy_and_of_its_record() -> None:
+    frame = carom.Frame("eight-ball", seed=5)
+    before = frame.hash
+    assert len(before) == 16
+    twin = frame.copy()
+    frame.play(carom.Strike(8.0, 1.57), cue_ball=(0.635, 0.6))
+    assert frame.hash != before == twin.hash
+    record = frame.record
+    assert record["engine"] == frame.copy().record["engine"]
+    assert carom.Frame.replay(record).hash == frame.hash
+    # A bit more speed is another position.
+    nudged = np.nextafter(8.0, 9.0)
+    twin.play(carom.Strike(float(nudged), 1.57), cue_ball=(0.635, 0.6))
+    assert twin.hash != frame.hash
+
+
+def test_a_record_names_its_engine_and_an_older_one_is_readable() -> None:
+    frame = carom.Frame("nine-ball", seed=2)
+    record = frame.record
+    assert record["engine"] == carom.break_shot("nine-ball").simulate().to_dict()["engine"]
+    without = {key: value for key, value in record.items() if key != "engine"}
+    assert carom.Frame.replay(without).hash == frame.hash
+    moves = [{"choice": "play-on"}]
+    with pytest.raises(
+        carom.InputError, match=r"^moves\[0\]: .*made by carom 0\.0\.1, and this is"
+    ):
+        carom.Frame.replay({**record, "engine": "carom 0.0.1", "moves": moves})
+    with pytest.raises(carom.InputError) as error:
+        carom.Frame.replay({**record, "moves": moves})
+    assert "made by" not in str(error.value)
 
 
 def _answer(frame: carom.Frame, move: dict[str, Any]) -> carom.Ruling:

@@ -256,6 +256,12 @@ impl Frame {
     fn copy(&self) -> Self {
         self.get().into()
     }
+
+    /// 16 hex digits over the whole state.
+    #[getter]
+    fn hash(&self) -> String {
+        format!("{:016x}", self.0.hash())
+    }
 }
 
 /// The names of all rule sets.

@@ -1,5 +1,6 @@
 //! A game in progress.
 
+mod hash;
 mod play;
 mod prepared;
 mod resume;

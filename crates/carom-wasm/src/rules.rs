@@ -271,6 +271,11 @@ impl Frame {
         Ok(self.0.ruling_node(&ruling).to_json())
     }
 
+    /// Sixteen hexadecimal digits over the whole state.
+    pub fn hash(&self) -> String {
+        format!("{:016x}", self.0.hash())
+    }
+
     /// A copy that can be played on independently.
     pub fn copy(&self) -> Self {
         Self(self.0.clone())

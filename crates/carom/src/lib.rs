@@ -54,6 +54,7 @@ pub mod edition;
 pub mod error;
 pub mod event;
 pub mod format;
+pub mod hash;
 pub mod limits;
 pub mod math;
 pub mod motion;

@@ -18,11 +18,13 @@ import type {
   FrameRecord,
   FrameState,
   FrameTerms,
+  PlannedPlay,
   Play,
   PlayErrors,
   Ruling,
   Successors,
 } from "./rules.js";
+import { readStrike } from "./strike.js";
 import {
   type BallInfo,
   type Batch,
@@ -77,9 +79,6 @@ const MOST_SUCCESSORS = 2 ** 24;
 
 /** Variants that rank the strikes of `leaveAim`: more take longer than a user waits. */
 const MOST_VARIANTS = 100_000;
-
-/** Keys that every strike has, in the order in which the engine takes its numbers. */
-const STRIKE = ["speed", "azimuth", "side", "height"] as const;
 
 let loaded: Promise<Engine> | undefined;
 
@@ -277,12 +276,6 @@ function termsOf(given: FrameTerms): Required<Omit<FrameTerms, "target">> {
   };
 }
 
-/** The elevation of a strike; undefined stands for the default one. */
-function elevationOf({ elevation }: StrikeInput): number | undefined {
-  if (elevation === undefined) return undefined;
-  return numbers("strike", { elevation }, ["elevation"])[0];
-}
-
 /** A strike from the engine's five numbers. */
 function strikeOf(values: ArrayLike<number>): Strike {
   return {
@@ -366,10 +359,10 @@ class WasmShot implements Shot {
   }
 
   withStrike(strike: StrikeInput): Shot {
-    const [speed, azimuth, side, height] = numbers("strike", strike, STRIKE);
-    const elevation = elevationOf(strike);
+    const { numbers: values, elevation } = readStrike(strike);
+    const [speed, azimuth, side, height] = values;
     return new WasmShot(
-      checked(() => this.handle.object.withStrike(speed!, azimuth!, elevation, side!, height!)),
+      checked(() => this.handle.object.withStrike(speed, azimuth, elevation, side, height)),
     );
   }
 
@@ -568,7 +561,12 @@ class WasmFrame implements Frame {
   }
 
   get record(): FrameRecord {
-    return structuredClone({ format: FRAME_FORMAT, setup: this.#setup(), moves: this.#moves });
+    const [setup, moves] = [this.#setup(), this.#moves];
+    return structuredClone({ format: FRAME_FORMAT, engine: wasm.version(), setup, moves });
+  }
+
+  get hash() {
+    return this.handle.object.hash();
   }
 
   get state() {
@@ -652,7 +650,7 @@ class WasmFrame implements Frame {
 }
 
 /** A play as it was played, for a record: with all numbers of the strike, and policies that are not the usual ones. */
-function playedOf({ strike: given, cue_ball, call }: Play, result: wasm.PlayResult): Play {
+function playedOf({ strike: given, cue_ball, call }: Play, result: wasm.PlayResult): PlannedPlay {
   const { obstruction = "report", miscue = "refuse" } = given;
   const cling = result.cling();
   return {
@@ -670,8 +668,8 @@ function playedOf({ strike: given, cue_ball, call }: Play, result: wasm.PlayResu
 /** Converts a play for the engine, and frees the converted play afterwards. */
 function withPlay<T>(play: Play, use: (given: wasm.PlayArguments) => T): T {
   const { strike, cue_ball, call, cling } = object("play", play) as Partial<Play>;
-  const values = Float64Array.from(numbers("strike", strike, STRIKE));
-  const elevation = elevationOf(strike!);
+  const { elevation, obstruction, miscue, ...read } = readStrike(strike!);
+  const values = Float64Array.from(read.numbers);
   const place =
     cue_ball === undefined
       ? undefined
@@ -681,9 +679,6 @@ function withPlay<T>(play: Play, use: (given: wasm.PlayArguments) => T): T {
   text("call.kind", kind);
   if (ball !== undefined) text("call.ball", ball);
   if (into !== undefined) text("call.into", into);
-  const { obstruction = "report", miscue = "refuse" } = strike!;
-  text("strike.obstruction", obstruction);
-  text("strike.miscue", miscue);
   const given = new wasm.PlayArguments(values, elevation, place, kind, ball, into);
   try {
     checked(() => {

@@ -10,12 +10,15 @@ export const FRAME_FORMAT = "carom-frame/1";
 /** What to do with a record that cannot be read. */
 const REMEDY = "give the value of Frame.record";
 
+/** What a record is replayed with. */
+type Replayer = Pick<Engine, "frame" | "frameOf" | "shot" | "version">;
+
 /**
  * The frame of a record, with every move repeated.
  *
  * @throws CaromError if this is not a record of a frame, or a move is not allowed; the message has the move's index.
  */
-export function replay(engine: Pick<Engine, "frame" | "frameOf" | "shot">, record: unknown): Frame {
+export function replay(engine: Replayer, record: unknown): Frame {
   const steps = replaySteps(engine, record);
   let step = steps.next();
   while (!step.done) step = steps.next();
@@ -24,10 +27,10 @@ export function replay(engine: Pick<Engine, "frame" | "frameOf" | "shot">, recor
 
 /** As `replay`, but yields before every move, so that a long frame can be replayed in parts. */
 export function* replaySteps(
-  engine: Pick<Engine, "frame" | "frameOf" | "shot">,
+  engine: Replayer,
   record: unknown,
 ): Generator<undefined, Frame, undefined> {
-  const { format, setup, moves } = object("record", record) as Partial<FrameRecord>;
+  const { format, engine: made, setup, moves } = object("record", record) as Partial<FrameRecord>;
   if (format !== FRAME_FORMAT) {
     const message = `format: not a record of a frame, "${FRAME_FORMAT}"; ${REMEDY}`;
     throw new CaromError(message, "format");
@@ -48,10 +51,17 @@ export function* replaySteps(
       frame.free();
       if (!(error instanceof CaromError)) throw error;
       const place = `moves[${index}]`;
-      throw new CaromError(`${place}: ${error.message}`, place, error.shot);
+      const other = otherEngine(made, engine.version);
+      throw new CaromError(`${place}: ${error.message}${other}`, place, error.shot);
     }
   }
   return frame;
+}
+
+/** The end of an error's sentence: the engine that made a record, if it is another one. */
+function otherEngine(made: unknown, version: string): string {
+  if (typeof made !== "string" || made === version) return "";
+  return ` (the record was made by ${made}, and this is ${version})`;
 }
 
 function start(engine: Pick<Engine, "frame" | "frameOf" | "shot">, setup: FrameSetup): Frame {

@@ -1,7 +1,7 @@
 /** Players: programs that answer the requests of a frame. The data is that of Python's `Player`, key by key. */
 
-import type { Choice, Frame, Play } from "./rules.js";
-import type { Noise, PocketName, Point, Strike } from "./types.js";
+import type { Choice, Frame, PlannedPlay } from "./rules.js";
+import type { Noise, PocketName, Point } from "./types.js";
 
 /** Errors of the positions that a player sees. */
 export interface Perception {
@@ -37,9 +37,6 @@ export interface PlayerOptions {
   /** Seed of the random numbers of a decision, a whole number. Default 0. */
   readonly seed?: number;
 }
-
-/** A play with all numbers of its strike; `Frame.play` takes it. */
-export type PlannedPlay = Play & { readonly strike: Strike };
 
 /** What a decision has cost. */
 export interface Spent {

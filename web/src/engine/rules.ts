@@ -9,6 +9,7 @@ import type {
   Point,
   Shot,
   ShotFile,
+  Strike,
   StrikeEntry,
   StrikeInput,
   Trace,
@@ -37,6 +38,9 @@ export interface Play {
   /** The contacts that cling, such as those of a drawn variant (`Shot.variant`). Default: none. */
   readonly cling?: NonNullable<ShotFile["cling"]>;
 }
+
+/** A play with all numbers of its strike; `Frame.play` takes it. */
+export type PlannedPlay = Play & { readonly strike: Strike };
 
 /** Region in which a cue ball in hand may be placed. */
 export type Region = "anywhere" | "behind-head-string" | "the-d";
@@ -148,7 +152,7 @@ export interface FrameOptions extends FrameTerms {
 /** A move of a record: a play with all numbers of its strike, a choice, or a concession. */
 export type FrameMove =
   | {
-      readonly play: Play;
+      readonly play: PlannedPlay;
       /** What the page's analysis has of the shot: a text `tree/1`. A frame does not keep it. */
       readonly variations?: string;
     }
@@ -168,6 +172,8 @@ export type FrameSetup = FrameTerms & { readonly game: string } & (
 /** A frame as plain values. Presets have dated names, so a record keeps its bits. */
 export interface FrameRecord {
   readonly format: "carom-frame/1";
+  /** Name and version of the engine that made it; records of early versions do not have it. */
+  readonly engine?: string;
   readonly setup: FrameSetup;
   readonly moves: readonly FrameMove[];
 }
@@ -235,6 +241,13 @@ export interface Frame {
    * the frame.
    */
   readonly record: FrameRecord;
+  /**
+   * Sixteen hexadecimal digits over everything that decides how the frame goes on: game and options, table,
+   * physics and policies, the exact bits of the balls' places, the request, scores and fouls, all that the
+   * rules keep, and the seed of the racks to come. The same version of the engine gives the same value in
+   * Rust, Python and JavaScript on every platform, so two programs that play one game can compare it.
+   */
+  readonly hash: string;
   /**
    * What may follow a play with execution noise: the variants `first … first + n − 1`, as in `Shot.vary`,
    * each ruled on. The frame is not changed.

@@ -73,8 +73,24 @@ export interface Strike {
   readonly height: number;
 }
 
-/** A strike that may omit its elevation: it is the default one then. */
-export type StrikeInput = Omit<Strike, "elevation"> & { readonly elevation?: number | undefined };
+/**
+ * A strike as a caller writes it: each angle in radians or, with the key of a shot file, in degrees; one
+ * `azimuth` is required. Without an elevation it is the default one.
+ */
+export interface StrikeInput {
+  /** Speed of the cue at contact, m/s. */
+  readonly speed: number;
+  /** Direction in which the cue moves, counter-clockwise from +x, rad. */
+  readonly azimuth?: number | undefined;
+  readonly azimuth_deg?: number | undefined;
+  /** How far the butt is raised, rad. */
+  readonly elevation?: number | undefined;
+  readonly elevation_deg?: number | undefined;
+  /** Contact point right of the ball's centre, in ball radii. Default 0. */
+  readonly side?: number | undefined;
+  /** Contact point above the ball's centre, in ball radii. Default 0. */
+  readonly height?: number | undefined;
+}
 
 /** Coefficients of the physics that may depend on a speed or an angle. */
 export type CoefficientKey =

@@ -1,9 +1,6 @@
 //! The hash of a trace: 64 bits over the exact bits of all events and final states.
 //!
-//! The input is a sequence of 64-bit words in the order below. Each word is mixed in as FNV-1a
-//! mixes in bytes (Fowler, Noll & Vo: xor, then multiply by the prime). Then the upper half is
-//! folded into the lower one; without this, a flipped sign bit would change only the top bit of the
-//! hash.
+//! The input is a sequence of 64-bit words ([`WordHasher`]) in the order below.
 //!
 //! Per event: the time; the type's number; two details (contacts of the tip − 1 and pushed, rail
 //! and part, pocket and 0, from and to, or 0 and 0); the number of balls; per ball its index, its state before, its state after. Then
@@ -14,24 +11,13 @@
 
 use super::{Trace, TraceEventKind};
 use crate::BallState;
+use crate::hash::WordHasher;
 
-const OFFSET_BASIS: u64 = 0xcbf2_9ce4_8422_2325;
-const PRIME: u64 = 0x0000_0100_0000_01b3;
-
-struct Hasher(u64);
-
-impl Hasher {
-    fn word(&mut self, word: u64) {
-        self.0 = (self.0 ^ word).wrapping_mul(PRIME);
-        self.0 ^= self.0 >> 32;
+fn state(hasher: &mut WordHasher, s: &BallState) {
+    for v in [s.position, s.velocity, s.angular_velocity] {
+        v.to_array().iter().for_each(|x| hasher.word(x.to_bits()));
     }
-
-    fn state(&mut self, s: &BallState) {
-        for v in [s.position, s.velocity, s.angular_velocity] {
-            v.to_array().iter().for_each(|x| self.word(x.to_bits()));
-        }
-        self.word(s.motion as u64);
-    }
+    hasher.word(s.motion as u64);
 }
 
 const fn numbers(kind: TraceEventKind) -> [u64; 3] {
@@ -51,18 +37,18 @@ const fn numbers(kind: TraceEventKind) -> [u64; 3] {
 impl Trace {
     /// 64 bits over the exact bits of all events and final states.
     pub fn hash(&self) -> u64 {
-        let mut hasher = Hasher(OFFSET_BASIS);
+        let mut hasher = WordHasher::default();
         for event in self.events() {
             hasher.word(event.time.to_bits());
             numbers(event.kind).into_iter().for_each(|n| hasher.word(n));
             hasher.word(event.balls.len() as u64);
             for (i, &ball) in event.balls.iter().enumerate() {
                 hasher.word(u64::from(ball));
-                hasher.state(&event.before[i]);
-                hasher.state(&event.after[i]);
+                state(&mut hasher, &event.before[i]);
+                state(&mut hasher, &event.after[i]);
             }
         }
-        self.last.iter().for_each(|s| hasher.state(s));
-        hasher.0
+        self.last.iter().for_each(|s| state(&mut hasher, s));
+        hasher.value()
     }
 }

@@ -1,5 +1,5 @@
-//! Impacts have a strength and a place: for sounds, and for whoever wants to know how hard a ball was
-//! hit. Both follow from the states before and after.
+//! Impacts have a strength and a place, for instance for sounds. Both follow from the states before
+//! and after.
 
 use carom::format::Node;
 use carom::math::Vec3;

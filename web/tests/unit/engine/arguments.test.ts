@@ -1,5 +1,11 @@
 import { describe, expect, test, vi } from "vitest";
-import { CaromError, load, type Noise, type Play } from "../../../src/engine/index.js";
+import {
+  CaromError,
+  load,
+  type Noise,
+  type Play,
+  type ShotFile,
+} from "../../../src/engine/index.js";
 import { shotFile } from "./files.js";
 
 const engine = await load();
@@ -47,6 +53,66 @@ describe("a freed object", () => {
     expect(() => {
       freed.free();
     }).not.toThrow();
+  });
+});
+
+describe("a strike may be written as in a shot file", () => {
+  const inDegrees = shot.withStrike({ speed: 2, azimuth_deg: 62, elevation_deg: 5 });
+
+  test("with degrees, and without side and height", () => {
+    expect(inDegrees.strike).toEqual({
+      speed: 2,
+      azimuth: 62 * (Math.PI / 180),
+      elevation: 5 * (Math.PI / 180),
+      side: 0,
+      height: 0,
+    });
+    const { balls, ...file } = shot.source;
+    const written = {
+      ball: shot.balls[shot.struck!]!.id,
+      speed: 2,
+      azimuth_deg: 62,
+      elevation_deg: 5,
+    };
+    const edited: ShotFile = { ...file, balls, strike: written };
+    const read = engine.shot(edited);
+    expect(inDegrees.simulate().hash).toBe(read.simulate().hash);
+    const { azimuth, elevation } = inDegrees.strike!;
+    expect(shot.withStrike({ speed: 2, azimuth, elevation }).json()).toBe(inDegrees.json());
+  });
+
+  test("in the plays of frames too, whose records have radians", () => {
+    const [one, other] = [engine.frame("nine-ball"), engine.frame("nine-ball")];
+    one.play({ strike: { speed: 8, azimuth_deg: 90, elevation_deg: 4 } });
+    const radians = { azimuth: Math.PI / 2, elevation: 4 * (Math.PI / 180) };
+    other.play({ strike: { speed: 8, ...radians, side: 0, height: 0 } });
+    expect(one.record).toEqual(other.record);
+    expect(one.hash).toBe(other.hash);
+    const next = one.shot({ strike: { speed: 1, azimuth_deg: 12 } });
+    expect(next.strike!.azimuth).toBe(12 * (Math.PI / 180));
+  });
+
+  test("but not an angle in two units, no angle, or a key that is misspelt", () => {
+    const place = (given: unknown) => refusal(() => shot.withStrike(wrong(given))).place;
+    expect(place({ speed: 2, azimuth: 1, azimuth_deg: 62 })).toBe("strike.azimuth");
+    expect(place({ speed: 2, azimuth: 1, elevation: 0, elevation_deg: 1 })).toBe(
+      "strike.elevation",
+    );
+    expect(place({ speed: 2 })).toBe("strike.azimuth");
+    expect(place({ speed: 2, azimuth_deg: "62" })).toBe("strike.azimuth_deg");
+    expect(place({ speed: 2, azimuth_deg: 62, hight: 0.2 })).toBe("strike.hight");
+    const frame = engine.frame("nine-ball");
+    const play = { strike: { speed: 2, azimuth_deg: 62, spin: 1 } };
+    expect(refusal(() => frame.play(wrong(play))).message).toMatch(/^strike.spin: unknown key; /);
+  });
+
+  test("degrees in the place of radians give a warning", () => {
+    const warn = vi.spyOn(console, "warn").mockReturnValue();
+    shot.withStrike({ speed: 2, azimuth: 6 });
+    expect(warn).not.toHaveBeenCalled();
+    shot.withStrike({ speed: 2, azimuth: 90 });
+    expect(warn).toHaveBeenCalledExactlyOnceWith(expect.stringMatching(/write azimuth_deg$/));
+    warn.mockRestore();
   });
 });
 

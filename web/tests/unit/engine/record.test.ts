@@ -54,9 +54,26 @@ test("records of Python are replayed and written again as they were", () => {
   expect(RECORDS).not.toHaveLength(0);
   for (const record of RECORDS) {
     const frame = engine.replay(record);
-    expect(frame.record).toEqual(withoutNulls(record));
+    expect(frame.record).toEqual({ ...withoutNulls(record), engine: engine.version });
     frame.free();
   }
+});
+
+test("a record names the engine that made it, and an error of another one's says so", () => {
+  const frame = engine.frame("nine-ball", { seed: 2 });
+  expect(frame.record.engine).toBe(engine.version);
+  const moves = [{ choice: "play-on" as const }];
+  const old: FrameRecord = { ...frame.record, engine: "carom 0.0.1", moves };
+  const refused = (record: FrameRecord) => {
+    try {
+      engine.replay(record);
+    } catch (error) {
+      return (error as CaromError).message;
+    }
+    throw new Error("it was replayed");
+  };
+  expect(refused(old)).toMatch(/^moves\[0\]: .*made by carom 0\.0\.1, and this is carom /);
+  expect(refused({ ...old, engine: engine.version })).not.toMatch(/made by/);
 });
 
 test("a record has dated names, the policies and the default elevation of a strike, and cling", () => {

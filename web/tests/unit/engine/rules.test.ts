@@ -14,6 +14,8 @@ const engine = await load();
 
 type Move = ({ readonly play: Play; readonly hash: string } | { readonly choice: Choice }) & {
   readonly ruling: Ruling;
+  /** Hash of the frame after the move. */
+  readonly frame: string;
 };
 
 interface Golden {
@@ -33,11 +35,13 @@ describe("the same moves get the native engine's rulings and traces, to the bit"
     for (const move of golden.moves) {
       if ("choice" in move) {
         expect(frame.choose(move.choice)).toEqual(move.ruling);
+        expect(frame.hash).toBe(move.frame);
         continue;
       }
       const { ruling, trace } = frame.play(move.play);
       expect(ruling).toEqual(move.ruling);
       expect(trace.hash).toBe(move.hash);
+      expect(frame.hash).toBe(move.frame);
       trace.free();
     }
     expect(frame.state).toEqual(golden.end);

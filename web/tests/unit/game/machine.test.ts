@@ -96,7 +96,7 @@ describe("a machine", () => {
     };
     const { strike, meant } = await play();
     expect(strike!.azimuth).not.toBe(meant.azimuth);
-    expect(Math.abs(strike!.azimuth - meant.azimuth)).toBeLessThan(0.03);
+    expect(Math.abs(strike!.azimuth! - meant.azimuth)).toBeLessThan(0.03);
     expect((await play()).strike).toEqual(strike);
   });
 

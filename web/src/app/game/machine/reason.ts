@@ -1,6 +1,6 @@
 /** Why a machine played a shot: the play of its analysis that it executed. */
 
-import type { Engine, Noise, Play, Recommendation } from "../../../engine/index.ts";
+import type { Engine, Noise, PlannedPlay, Play, Recommendation } from "../../../engine/index.ts";
 import { machineOf, type Game } from "../../document/game.ts";
 import type { Progress } from "../progress.ts";
 import { machineNoise, thinking } from "./levels.ts";
@@ -52,10 +52,11 @@ export async function reasonOf(
   index: number,
   thinker: Pick<Thinker, "choose" | "explain">,
 ): Promise<Reason | null> {
-  const { move, player } = steps[index]!;
+  const { player } = steps[index]!;
   const level = machineOf(game.setup, player);
-  if (level === null || !("play" in move)) return null;
   const { record } = frame;
+  const move = record.moves[index]!;
+  if (level === null || !("play" in move)) return null;
   const before = { ...record, moves: record.moves.slice(0, index) };
   const asked = thinking({ ...game, moves: game.moves.slice(0, index) }, level);
   const more = { ...asked, simulations: SIMULATIONS[level]!, count: ALL };
@@ -69,7 +70,7 @@ export async function reasonOf(
 /** The play of an analysis from which a shot was drawn. */
 function found(
   plays: readonly Recommendation[],
-  played: Play,
+  played: PlannedPlay,
   noise: Noise,
 ): Recommendation | null {
   const near = plays
@@ -95,7 +96,7 @@ function sameTerms(a: Play, b: Play): boolean {
 }
 
 /** Distance of two strikes in standard deviations of the errors. */
-function distance({ strike: a }: Play, { strike: b }: Play, noise: Noise): number {
+function distance({ strike: a }: PlannedPlay, { strike: b }: PlannedPlay, noise: Noise): number {
   const turned = a.azimuth - b.azimuth;
   return Math.max(
     Math.abs(a.speed - b.speed) / noise.speed,

@@ -1,0 +1,83 @@
+/** Strikes as callers write them: with angles in radians or in degrees, as in shot files. */
+import { numbers, object, text } from "./arguments.js";
+import { CaromError } from "./error.js";
+import type { StrikeEntry, StrikeInput } from "./types.js";
+import { warnOnce } from "./warn.js";
+
+/** The keys of a strike. `ball` is not used: the shot or the frame determines the struck ball. */
+const KEYS = [
+  "ball",
+  "speed",
+  "azimuth",
+  "azimuth_deg",
+  "elevation",
+  "elevation_deg",
+  "side",
+  "height",
+  "obstruction",
+  "miscue",
+] as const;
+
+/** A strike in radians, with the defaults of what it omits. */
+export interface ReadStrike {
+  /** Speed (m/s), azimuth (rad), side, height (ball radii), in the engine's order. */
+  readonly numbers: readonly [speed: number, azimuth: number, side: number, height: number];
+  /** rad; undefined stands for the default one. */
+  readonly elevation: number | undefined;
+  readonly obstruction: NonNullable<StrikeEntry["obstruction"]>;
+  readonly miscue: NonNullable<StrikeEntry["miscue"]>;
+}
+
+/** @throws CaromError for an unknown key, a value that is not a number, and an angle in two units. */
+export function readStrike(strike: StrikeInput): ReadStrike {
+  const given = object("strike", strike) as Partial<StrikeEntry>;
+  for (const key of Object.keys(given)) {
+    if ((KEYS as readonly string[]).includes(key)) continue;
+    refuse(`strike.${key}`, `unknown key; the keys known here are ${KEYS.join(", ")}`);
+  }
+  const [speed, side, height] = numbers("strike", { side: 0, height: 0, ...defined(given) }, [
+    "speed",
+    "side",
+    "height",
+  ]);
+  const azimuth = angle(given, "azimuth");
+  if (azimuth === undefined) {
+    refuse(
+      "strike.azimuth",
+      "it is missing; write the cue's direction in radians, or azimuth_deg in degrees",
+    );
+  }
+  if (Math.abs(given.azimuth ?? 0) > 2 * Math.PI) {
+    warnOnce("strike.azimuth is beyond ±2π: it is in radians; for degrees write azimuth_deg");
+  }
+  const { obstruction = "report", miscue = "refuse" } = given;
+  return {
+    numbers: [speed!, azimuth, side!, height!],
+    elevation: angle(given, "elevation"),
+    obstruction: text("strike.obstruction", obstruction),
+    miscue: text("strike.miscue", miscue),
+  };
+}
+
+/** An angle in radians, from one of its two keys. */
+function angle(given: Partial<StrikeEntry>, key: "azimuth" | "elevation"): number | undefined {
+  const inDegrees = `${key}_deg` as const;
+  if (given[key] !== undefined && given[inDegrees] !== undefined) {
+    refuse(
+      `strike.${key}`,
+      `${inDegrees} gives the same angle; keep ${key} (rad) or ${inDegrees} (degrees)`,
+    );
+  }
+  if (given[key] !== undefined) return numbers("strike", given, [key])[0]!;
+  if (given[inDegrees] === undefined) return undefined;
+  return numbers("strike", given, [inDegrees])[0]! * (Math.PI / 180);
+}
+
+/** The entries of an object that are not undefined. */
+function defined(given: object): object {
+  return Object.fromEntries(Object.entries(given).filter(([, value]) => value !== undefined));
+}
+
+function refuse(place: string, what: string): never {
+  throw new CaromError(`${place}: ${what}`, place);
+}
