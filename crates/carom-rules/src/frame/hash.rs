@@ -53,7 +53,7 @@ mod tests {
     #[test]
     fn each_part_of_the_state_changes_the_hash() {
         let base = frame(Rules::EightBall);
-        let changes: [Change; 22] = [
+        let changes: [Change; 23] = [
             ("a place, by one bit", |f| {
                 let [x, y] = f.layout().place(3).expect("on the table");
                 f.put(3, Some([x.next_up(), y]));
@@ -71,11 +71,10 @@ mod tests {
             ("the points", |f| f.state.options.points = 41),
             ("the miss", |f| f.state.options.miss = false),
             ("the patience", |f| f.state.options.patience = 99),
-            ("the seed", |f| f.state.reseed(8)),
-            ("the racks so far", |f| {
-                f.state.next_seed();
-            }),
+            ("the seed", |f| f.state.seed = 8),
+            ("the racks so far", |f| f.state.seeds_drawn = 1),
             ("the shots", |f| f.shots = [1, 0]),
+            ("the other seat's shots", |f| f.shots = [0, 1]),
             ("the cap", |f| *f = f.clone().with_max_events(5)),
             ("progress", |f| {
                 let state = &f.state;
