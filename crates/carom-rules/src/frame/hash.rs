@@ -71,8 +71,10 @@ mod tests {
             ("the points", |f| f.state.options.points = 41),
             ("the miss", |f| f.state.options.miss = false),
             ("the patience", |f| f.state.options.patience = 99),
-            ("the seed", |f| f.state.seed = 8),
-            ("the racks so far", |f| f.state.seeds_drawn = 1),
+            ("the seed", |f| f.state.reseed(8)),
+            ("the racks so far", |f| {
+                f.state.next_seed();
+            }),
             ("the shots", |f| f.shots = [1, 0]),
             ("the other seat's shots", |f| f.shots = [0, 1]),
             ("the cap", |f| *f = f.clone().with_max_events(5)),
