@@ -52,6 +52,7 @@ __all__ = [
     "read_json",
     "read_number",
     "read_whole",
+    "repaired",
     "replay_match",
     "rolling_bands",
     "row_shot",
@@ -92,6 +93,16 @@ class Frame:
     @staticmethod
     def of_shot(game: str, shot: Shot, options: tuple[int, bool, int]) -> Frame: ...
     def to_object(self) -> dict[str, Any]: ...
+    def cue_pose(
+        self,
+    ) -> tuple[list[float], list[float], list[float], tuple[float, str] | None] | None: ...
+    def strike_of_pose(
+        self,
+        tip: Sequence[float],
+        direction: Sequence[float],
+        speed: float,
+        ball: str,
+    ) -> tuple[float, float, float, float, float]: ...
     def shot(self, play: PlayArguments) -> Shot: ...
     def play(
         self, play: PlayArguments, noise: Noise | None, seeds: int | tuple[int, int]
@@ -285,6 +296,9 @@ def solve(
 def stages() -> list[str]: ...
 def wilson(hits: int, trials: int, level: float) -> tuple[float, float]: ...
 def break_presets() -> list[dict[str, Any]]: ...
+def repaired(
+    file: object, tolerance: float
+) -> tuple[dict[str, Any], list[tuple[str, list[float]]]]: ...
 def break_shot(
     game: str,
     preset: str | None,

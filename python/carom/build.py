@@ -9,11 +9,14 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, NamedTuple, Self
 
 from carom import _core
-from carom.arguments import angle, number, text, warn_of_degrees, whole
+from carom.arguments import angle, core, number, numbers, text, warn_of_degrees, whole
 from carom.errors import InputError
+
+if TYPE_CHECKING:
+    import carom
 
 JSON = dict[str, Any]
 
@@ -92,7 +95,8 @@ class Layout:
     Args:
         balls: The shot file's ``balls``: each with ``id``, ``position`` (2 or 3 numbers, m) and
             optionally ``velocity`` (m/s), ``angular_velocity`` (rad/s), ``mass`` (kg) and
-            ``radius`` (m).
+            ``radius`` (m). ``"rolling": True`` in place of ``angular_velocity`` gives a ball the
+            spin with which it rolls at its velocity.
 
     Raises:
         InputError: A key is unknown, or a value is missing or invalid. Whether the balls have room
@@ -115,6 +119,41 @@ class Layout:
             _core.wrong_type(positions, "positions", 'places by id, such as {"cue": (0.6, 0.6)}')
         return cls(tuple({"id": i, "position": p} for i, p in positions.items()))
 
+    def repaired(
+        self,
+        tolerance: float = 0.001,
+        *,
+        table: Table | str | Mapping[str, Any] = "wpa-9ft",
+        physics: Physics | str | Mapping[str, Any] | None = None,
+    ) -> Repaired:
+        """This layout with overlapping balls apart, such as one that a camera measured.
+
+        Balls that overlap each other or a cushion by at most the tolerance are moved to the nearest
+        places without overlaps: the sum of the squared displacements is least. Balls in the air
+        stay. A layout without overlaps is not changed.
+
+        Args:
+            tolerance: Largest overlap that is repaired, m; at most 0.03.
+            table: The table of the layout.
+            physics: Its physics, which has the balls' radius; None is that of the table.
+
+        Returns:
+            The layout, and the balls that moved.
+
+        Raises:
+            InputError: Two balls, or a ball and a cushion, overlap by more than the tolerance, or
+                have no room to move apart. The message names them.
+        """
+        file: JSON = {
+            "table": table.description if isinstance(table, Table) else table,
+            "balls": [dict(ball) for ball in self.balls],
+        }
+        given = physics.description if isinstance(physics, Physics) else physics
+        if given is not None:
+            file["physics"] = given
+        found, moved = _core.repaired(file, number("tolerance", tolerance))
+        return Repaired(Layout(tuple(found["balls"])), [MovedBall(*ball) for ball in moved])
+
     @classmethod
     def rack(
         cls, game: str, *, table: str | None = None, seed: int = 0, gap: float | None = None
@@ -135,6 +174,53 @@ class Layout:
         return cls(tuple(rack.to_object()["balls"]))
 
 
+class MovedBall(NamedTuple):
+    """A ball that ``Layout.repaired`` has moved.
+
+    Attributes:
+        ball: Its id.
+        by: Where it is now minus where it was, x and y, m.
+    """
+
+    ball: str
+    by: tuple[float, float]
+
+
+class Repaired(NamedTuple):
+    """A layout whose overlaps were removed.
+
+    Attributes:
+        layout: The layout.
+        moved: The balls that moved; empty if nothing overlapped.
+    """
+
+    layout: Layout
+    moved: list[MovedBall]
+
+
+class CuePose(NamedTuple):
+    """The cue at the moment when its tip touches the ball, in the file's frame.
+
+    The tip is at C + R(side·r + height·u − √(1 − side² − height²)·d) for a ball with the centre C
+    and the radius R: d is the direction, r the horizontal direction to its right, and u = r × d.
+
+    Attributes:
+        tip: Where the tip touches the ball, on the cue's axis, x, y, z, m.
+        direction: Direction in which the cue moves, a unit vector.
+        butt: The end of a cue of 1.47 m, m.
+        clearance: How much the cue may move across its axis, in its vertical plane, until it
+            touches a ball or a rail behind the struck ball, m; negative if it passes through, None
+            if nothing is there.
+        nearest: The ball or the rail of the clearance.
+    """
+
+    tip: tuple[float, float, float]
+    direction: tuple[float, float, float]
+    butt: tuple[float, float, float]
+    clearance: float | None
+    nearest: str | None
+
+
 @dataclass(frozen=True, init=False)
 class Strike:
     """A strike of the cue.
@@ -145,8 +231,10 @@ class Strike:
         elevation: Butt raised above horizontal, rad, in [0, π/2). None is the default elevation:
             the least angle of a real stroke at which the cue clears the rails and the other balls
             (docs/formats.md).
-        side: Contact point right of the centre, in ball radii.
-        height: Contact point above the centre, in ball radii, measured across the cue.
+        side: Contact point right of the cue's line through the ball's centre, in ball radii.
+        height: Contact point above that line, in ball radii. Both are measured across the cue's
+            axis at every elevation, as the shooter sees the ball: at a raised cue a height of 0 is
+            above the ball's equator (docs/cue-pose.md).
         ball: Id of the struck ball.
         obstruction: ``"report"`` or ``"refuse"`` a cue that would pass through a ball or rail.
         miscue: ``"refuse"`` a miscue, or ``"report"`` it and play as if the tip had not slipped.
@@ -242,6 +330,40 @@ class Strike:
     def elevation_deg(self) -> float | None:
         """The elevation in degrees; None for the default one."""
         return None if self.elevation is None else math.degrees(self.elevation)
+
+    @classmethod
+    def from_pose(
+        cls,
+        shot: carom.Shot,
+        tip: Sequence[float],
+        direction: Sequence[float],
+        speed: float,
+        *,
+        ball: str = "cue",
+    ) -> Self:
+        """The strike of a cue that is at a place in space, such as a robot's.
+
+        Args:
+            shot: The shot with the ball; its own strike is not used.
+            tip: A point on the cue's axis, x, y, z, m: the tip, also before it touches the ball.
+            direction: Direction in which the cue moves, of any length.
+            speed: The cue's speed, m/s.
+            ball: Id of the struck ball.
+
+        Raises:
+            InputError: The axis misses the ball, the direction points up or straight down, or there
+                is no such ball.
+        """
+        inner = core("shot", shot, _core.Shot, "carom.Shot.from_dict(...)")
+        x, y, z = numbers("tip", tip, 3)
+        along, across, rise = numbers("direction", direction, 3)
+        exact, wanted = (
+            number("speed", speed),
+            text("ball", ball, 'the id of a ball, such as "cue"'),
+        )
+        return cls(
+            *inner.strike_of_pose((x, y, z), (along, across, rise), exact, wanted), ball=wanted
+        )
 
     def to_dict(self) -> JSON:
         """The shot file's ``strike``, with angles in radians, so that they keep their bits."""

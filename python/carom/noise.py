@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields, replace
-from typing import TYPE_CHECKING, Self
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, fields, replace
+from typing import TYPE_CHECKING, Any, Self
 
 from carom import _core
 from carom.arguments import (
@@ -12,6 +13,7 @@ from carom.arguments import (
     core,
     instance,
     number,
+    numbers,
     text,
     thread_count,
     whole,
@@ -27,15 +29,23 @@ if TYPE_CHECKING:
 
     import carom
 
+    # Rows of five numbers, or an array of shape (n, 5).
+    Rows = Sequence[Sequence[float]] | NDArray[np.float64]
 
-# The standard deviations among the fields of `Noise`.
-_SIGMAS = ("speed", "azimuth", "elevation", "side_m", "height_m")
+# The errors among the fields of `Noise` that hold one number, and all such fields.
+_SIGMAS = ("speed", "azimuth", "elevation", "side_m", "height_m", "speed_relative")
+_NUMBERS = (*_SIGMAS[:5], "cling_probability", "cling_friction", "speed_relative")
 
 
 @renamed_fields(side="side_m", height="height_m")
 @dataclass(frozen=True, slots=True)
 class Noise:
-    """Errors of a strike, Gaussian and independent of each other, and cling between balls.
+    """Errors of a strike, and cling between balls.
+
+    The Gaussian parts add up: the error is normal, its mean is the bias, and its covariance is the
+    sum of ``covariance`` and the squared standard deviations. Vectors and matrices have the order
+    speed (m/s), azimuth (rad), elevation (rad), side (m), height (m), and describe executed minus
+    intended.
 
     Attributes:
         speed: Standard deviation of the cue's speed, m/s.
@@ -48,9 +58,18 @@ class Noise:
             1. No source gives one for pool; the presets have 0.
         cling_friction: Coefficient of friction of a contact that clings. 0.22 gives the throw that
             was measured with chalk at the contact (docs/rails-and-balls.md).
+        speed_relative: Standard deviation of a further error of the speed, as a share of the
+            intended speed, 0 to 1.
+        covariance: Covariance of errors that depend on each other, shape (5, 5), such as
+            ``numpy.cov(errors.T)``; None is none.
+        bias: Mean of the error, shape (5,).
+        samples: Measured errors, shape (n, 5), in place of standard deviations and a covariance:
+            every drawn strike has the error of one row, all equally likely. None is none.
 
     Raises:
-        InputError: A number is negative, not finite, or far beyond what a player does.
+        InputError: A number is negative, not finite, or far beyond what a player does; the
+            covariance is not symmetric or not positive semidefinite; samples stand beside standard
+            deviations or a covariance.
     """
 
     speed: float = 0.0
@@ -60,11 +79,25 @@ class Noise:
     height_m: float = 0.0
     cling_probability: float = 0.0
     cling_friction: float = 0.22
+    speed_relative: float = field(default=0.0, kw_only=True)
+    covariance: Rows | None = field(default=None, kw_only=True)
+    bias: Sequence[float] = field(default=(0.0,) * 5, kw_only=True)
+    samples: Rows | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
-        for field in fields(self):
-            value = number(f"noise.{field.name}", getattr(self, field.name))
-            object.__setattr__(self, field.name, value)
+        for name in _NUMBERS:
+            value = number(f"noise.{name}", getattr(self, name))
+            object.__setattr__(self, name, value)
+        bias = numbers("noise.bias", self.bias, 5)
+        object.__setattr__(self, "bias", bias)
+        if self.covariance is not None:
+            rows = _rows("noise.covariance", self.covariance)
+            if len(rows) != 5:
+                what = f"found {len(rows)} rows; give five rows of five numbers"
+                raise InputError(f"noise.covariance: {what}")
+            object.__setattr__(self, "covariance", rows)
+        if self.samples is not None:
+            object.__setattr__(self, "samples", _rows("noise.samples", self.samples))
         _core.check_noise(self)
 
     @classmethod
@@ -99,14 +132,41 @@ class Noise:
         return cls(*presets[base]).scaled(multiplier)
 
     def scaled(self, multiplier: float) -> Self:
-        """This noise with every σ multiplied by ``multiplier``; the cling stays.
+        """This noise with every error multiplied by ``multiplier``; the cling stays.
 
         Raises:
             InputError: The multiplier is negative, not finite or too large.
         """
         factor = number("multiplier", multiplier)
-        scaled = {sigma: getattr(self, sigma) * factor for sigma in _SIGMAS}
+        scaled: dict[str, Any] = {name: getattr(self, name) * factor for name in _SIGMAS}
+        scaled["bias"] = _times(self.bias, factor)
+        if self.covariance is not None:
+            scaled["covariance"] = [_times(row, factor * factor) for row in self.covariance]
+        if self.samples is not None:
+            scaled["samples"] = [_times(row, factor) for row in self.samples]
         return replace(self, **scaled)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for files: all numbers, and of the rest what is not at its default."""
+        values: dict[str, Any] = {name: getattr(self, name) for name in _NUMBERS}
+        if self.speed_relative == 0.0:
+            del values["speed_relative"]
+        if self.covariance is not None:
+            values["covariance"] = [list(row) for row in self.covariance]
+        if any(self.bias):
+            values["bias"] = list(self.bias)
+        if self.samples is not None:
+            values["samples"] = [list(row) for row in self.samples]
+        return values
+
+    @classmethod
+    def from_dict(cls, values: Mapping[str, Any]) -> Self:
+        """The noise with the values of ``to_dict``; missing keys are at their defaults.
+
+        Raises:
+            InputError: There is an unknown key, or a value is wrong.
+        """
+        return cls(**_known("noise", values, [each.name for each in fields(cls)]))
 
     def draw(self, shot: carom.Shot, index: int = 0, *, seed: int = 0) -> Strike:
         """One execution of the strike of ``shot``: that of variant ``index`` of ``Shot.vary``.
@@ -146,17 +206,101 @@ class Perception:
     perceived positions has the same distribution in both directions.
 
     Attributes:
-        position: Standard deviation of true minus perceived position, per coordinate, m.
+        position: Standard deviation of true minus perceived position, m: one for each coordinate,
+            or a pair along x and along y, such as a camera's across and along its view.
+        correlation: Correlation of the errors along x and y, −1 to 1.
+        balls: Errors of single balls by id, in place of those: a standard deviation, a pair, or a
+            ``Perception``. An id that is not on the table has no effect.
 
     Raises:
-        InputError: It is negative, not finite, or more than 0.1 m.
+        InputError: A standard deviation is negative, not finite, or more than 0.1 m, or a
+            correlation is beyond ±1.
     """
 
-    position: float = 0.0
+    position: float | Sequence[float] = 0.0
+    correlation: float = field(default=0.0, kw_only=True)
+    balls: Mapping[str, float | Sequence[float] | Perception] = field(
+        default_factory=dict, kw_only=True, hash=False
+    )
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "position", number("perception.position", self.position))
+        position: float | tuple[float, ...]
+        if not hasattr(self.position, "__len__"):
+            position = number("perception.position", self.position)
+        else:
+            position = numbers("perception.position", self.position, 2)
+        object.__setattr__(self, "position", position)
+        correlation = number("perception.correlation", self.correlation)
+        object.__setattr__(self, "correlation", correlation)
+        if not isinstance(self.balls, Mapping):
+            what = f"found {type(self.balls).__name__}; give a dict of errors by ball"
+            raise InputError(f"perception.balls: {what}")
+        balls = {
+            text("perception.balls", ball, 'a ball\'s id, such as "cue"'): self._of_ball(
+                ball, error
+            )
+            for ball, error in self.balls.items()
+        }
+        object.__setattr__(self, "balls", balls)
         _core.check_perception(self)
+
+    @staticmethod
+    def _of_ball(ball: str, error: Any) -> Perception:
+        if not isinstance(error, Perception):
+            try:
+                error = Perception(error)
+            except InputError as refused:
+                raise InputError(f"perception.balls[{ball!r}]: {refused}") from None
+        if error.balls:
+            raise InputError(f"perception.balls[{ball!r}].balls: a ball has no balls; remove it")
+        return error
+
+    @property
+    def sigma(self) -> tuple[float, float]:
+        """Standard deviations along x and along y, m."""
+        if isinstance(self.position, float):
+            return (self.position, self.position)
+        x, y = self.position
+        return (x, y)
+
+    @property
+    def errors(self) -> list[tuple[str, tuple[float, float], float]]:
+        """The balls with errors of their own: id, standard deviations (m), correlation."""
+        return [
+            (ball, error.sigma, error.correlation)
+            for ball, error in self.balls.items()
+            if isinstance(error, Perception)
+        ]
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for files."""
+        x, y = self.sigma
+        values: dict[str, Any] = {"position": x if x == y else [x, y]}
+        if self.correlation:
+            values["correlation"] = self.correlation
+        if self.balls:
+            values["balls"] = {
+                ball: error.to_dict()
+                for ball, error in self.balls.items()
+                if isinstance(error, Perception)
+            }
+        return values
+
+    @classmethod
+    def from_dict(cls, values: Mapping[str, Any]) -> Self:
+        """The perception with the values of ``to_dict``.
+
+        Raises:
+            InputError: There is an unknown key, or a value is wrong.
+        """
+        known = dict(_known("perception", values, [each.name for each in fields(cls)]))
+        balls = known.get("balls", {})
+        if isinstance(balls, Mapping):
+            known["balls"] = {
+                ball: Perception.from_dict(error) if isinstance(error, Mapping) else error
+                for ball, error in balls.items()
+            }
+        return cls(**known)
 
     def see(self, shot: carom.Shot, index: int = 0, *, seed: int = 0) -> carom.Shot:
         """The shot with the balls at perceived positions.
@@ -269,3 +413,35 @@ def perception_or_none(perception: Perception | None) -> Perception:
     """
     exact = Perception() if perception is None else perception
     return instance("perception", exact, Perception, "carom.Perception(0.002)")
+
+
+def _rows(place: str, rows: Any) -> tuple[tuple[float, ...], ...]:
+    """Rows of five numbers.
+
+    Raises:
+        InputError: They are not.
+    """
+    try:
+        listed = list(rows)
+    except TypeError:
+        what = f"found {type(rows).__name__}; give rows of five numbers"
+        raise InputError(f"{place}: {what}") from None
+    return tuple(numbers(f"{place}[{i}]", row, 5) for i, row in enumerate(listed))
+
+
+def _times(row: Sequence[float], factor: float) -> list[float]:
+    return [x * factor for x in row]
+
+
+def _known(place: str, values: Any, keys: list[str]) -> Mapping[str, Any]:
+    """The values, of which every key is one of ``keys``.
+
+    Raises:
+        InputError: One is not, or the values are no mapping.
+    """
+    if not isinstance(values, Mapping):
+        raise InputError(f"{place}: found {type(values).__name__}; give a dict")
+    for key in values:
+        if key not in keys:
+            raise InputError(f"{place}: there is no key {key!r}; write one of {', '.join(keys)}")
+    return values

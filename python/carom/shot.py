@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Self
 from carom import _core, arguments, notebook, page, plan
 from carom._core import Shot as CoreShot
 from carom.batch import VARIABLES, batch, own_strike
-from carom.build import Layout, Physics, Strike, Table, like
+from carom.build import CuePose, Layout, Physics, Strike, Table, like
 from carom.errors import EventCapError
 from carom.files import read_text, shown, write_whole
 from carom.lazy import np
@@ -316,6 +316,22 @@ class Shot:
         """The table's dimensions, cushions and pockets, m, origin at the bottom left corner."""
         return self._core.geometry()
 
+    def cue_pose(self) -> CuePose:
+        """The pose of the cue for the strike: tip, direction, butt, and its clearance.
+
+        ``Strike.from_pose`` is the way back.
+
+        Raises:
+            InputError: The shot has no strike.
+        """
+        own_strike(self._core)
+        pose = self._core.cue_pose()
+        assert pose is not None
+        tip, direction, butt, found = pose
+        clearance, nearest = (None, None) if found is None else found
+        points = (_point(tip), _point(direction), _point(butt))
+        return CuePose(*points, clearance, nearest)
+
     def simulate(self) -> Trace:
         """Simulate the shot to its end: until all balls rest, or to its end time ``until``.
 
@@ -393,3 +409,8 @@ def _balls(layout: Any) -> Any:
     if isinstance(layout, Mapping):
         return Layout.at(layout).balls
     return layout
+
+
+def _point(coordinates: list[float]) -> tuple[float, float, float]:
+    x, y, z = coordinates
+    return x, y, z

@@ -130,7 +130,8 @@ impl<'a> AdjustedFrame<'a> {
     fn new(terms: &'a Terms, rack: u64, breaker: usize) -> Result<Self, carom::Error> {
         let table = Some(Node::from(terms.table.as_str()));
         let frame = Frame::new(terms.rules, Options::default(), table, None, rack)?;
-        let errors = Errors { noise: terms.noise, seed: rack ^ STREAM << 32, ..Errors::default() };
+        let errors =
+            Errors { noise: terms.noise.clone(), seed: rack ^ STREAM << 32, ..Errors::default() };
         let sampler = Sampler::new();
         Ok(Self { terms, frame, sampler, errors, rack, breaker, decisions: 0, luck: 0.0 })
     }
@@ -150,7 +151,7 @@ impl<'a> AdjustedFrame<'a> {
             }
             let player = (seat + self.breaker) % 2;
             let seed = (self.rack << 16) + self.decisions;
-            let situation = Situation::new(&self.frame, self.terms.noise, seed);
+            let situation = Situation::new(&self.frame, self.terms.noise.clone(), seed);
             let budget = Budget::simulations(simulations[player]);
             let decision = players[player].decide(&situation, &budget)?;
             let tally = &mut tallies[player];
@@ -187,7 +188,7 @@ impl<'a> AdjustedFrame<'a> {
 
     /// The chance that the first player wins.
     fn value(&self, frame: &Frame) -> f64 {
-        let noise = [self.terms.noise; 2];
+        let noise = [self.terms.noise.clone(), self.terms.noise.clone()];
         Logistic.win_chance(&Position { frame, noise: &noise }, self.first_seat())
     }
 
@@ -215,8 +216,8 @@ impl<'a> AdjustedFrame<'a> {
     fn chances(&mut self, play: &Play) -> Result<(f64, f64), carom::Error> {
         let frame = 2 * self.rack + self.breaker as u64;
         let seed = (frame << 20) ^ (self.decisions << 1) ^ FRESH << 32;
-        let errors = Errors { seed, ..self.errors };
-        let noise = [self.terms.noise; 2];
+        let errors = Errors { seed, ..self.errors.clone() };
+        let noise = [self.terms.noise.clone(), self.terms.noise.clone()];
         let (position, winner) =
             (Position { frame: &self.frame, noise: &noise }, self.first_seat());
         judge(&mut self.sampler, &position, play, (&errors, SAMPLES), winner)

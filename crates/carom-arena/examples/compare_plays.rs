@@ -95,9 +95,9 @@ fn worths(
     players: &[BuiltInPlayer],
     errors: u64,
 ) -> Result<Vec<Worth>, carom::Error> {
-    let Situation { frame, ref noise, perception, seed, .. } = *situation;
-    let (position, seat) = (Position { frame, noise }, frame.player().unwrap_or(0));
-    let drawn = Errors { noise: noise[seat], perception, seed: seed ^ FRESH };
+    let Situation { frame, noise, perception, seed } = situation.clone();
+    let (position, seat) = (Position { frame, noise: &noise }, frame.player().unwrap_or(0));
+    let drawn = Errors { noise: noise[seat].clone(), perception, seed: seed ^ FRESH };
     let worth = |player: &BuiltInPlayer| {
         let simulations = u64::from(player.simulations().unwrap_or(USUAL));
         let mut made = player.make()?;

@@ -41,7 +41,7 @@ struct SeatState {
 }
 
 /// What a frame needs next.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 #[expect(clippy::large_enum_variant, reason = "it lives for one request; a box would allocate")]
 pub enum NextStep<'f> {
     /// An answer of a player.
@@ -51,7 +51,7 @@ pub enum NextStep<'f> {
 }
 
 /// A request to a player.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Ask<'f> {
     /// Number of the request in the frame, from 0. An answer to another one is out of date.
     pub id: u64,
@@ -216,13 +216,13 @@ impl ArenaFrame {
     fn situation(&self, seat: Seat) -> Situation<'_> {
         let settings = self.of.settings();
         let told = |of: Seat| match settings.disclosure {
-            Disclosure::Both => settings.noise[self.players[of]],
-            Disclosure::Own if of == seat => settings.noise[self.players[of]],
+            Disclosure::Both => settings.noise[self.players[of]].clone(),
+            Disclosure::Own if of == seat => settings.noise[self.players[of]].clone(),
             Disclosure::Own | Disclosure::Nothing => Noise::NONE,
         };
         let perception = match settings.disclosure {
             Disclosure::Nothing => Perception::default(),
-            _ => settings.perception[self.players[seat]],
+            _ => settings.perception[self.players[seat]].clone(),
         };
         Situation {
             frame: self.seen.as_ref().unwrap_or(&self.frame),
@@ -371,11 +371,11 @@ impl ArenaFrame {
         seat: Seat,
         play: &Play,
     ) -> Result<Effect, Error> {
-        let noise = self.of.settings().noise[self.players[seat]];
+        let noise = &self.of.settings().noise[self.players[seat]];
         let index = self.seats[seat].shots;
         let prepared = self.frame.shot(play)?;
         let draw = ErrorDraw { seed: self.seeds.errors[seat], index };
-        let (strike, cling) = execute(&noise, &prepared, draw)?;
+        let (strike, cling) = execute(noise, &prepared, draw)?;
         let prepared = if cling.is_empty() { prepared } else { prepared.with_cling(cling) };
         let execution = Execution { strike, cue_ball: play.cue_ball, cling };
         let executed = prepared.with_strike(&through_degrees(&strike))?;
@@ -455,9 +455,9 @@ impl ArenaFrame {
         if self.end.is_none()
             && let Some(seat) = self.frame.player()
         {
-            let perception = self.of.settings().perception[self.players[seat]];
+            let perception = &self.of.settings().perception[self.players[seat]];
             let draw = ErrorDraw { seed: self.seeds.sight[seat], index: self.seats[seat].shots };
-            self.seen = perceive(&perception, &self.frame, draw)?;
+            self.seen = perceive(perception, &self.frame, draw)?;
         }
         Ok(())
     }

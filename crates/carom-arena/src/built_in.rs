@@ -83,7 +83,7 @@ impl BuiltInPlayer {
 
     /// The errors of the player's strikes, if it is a level of strength.
     pub fn noise(&self) -> Option<Noise> {
-        Some(self.level()?.noise)
+        Some(self.level()?.noise.clone())
     }
 
     fn level(&self) -> Option<&'static Level> {
@@ -226,7 +226,7 @@ mod tests {
     fn a_level_has_errors_and_simulations_that_a_number_replaces() {
         let [level, with_number] =
             ["level-3", "level-3:50"].map(|text| BuiltInPlayer::read(text).unwrap());
-        assert_eq!(level.noise(), Level::named("level-3").map(|level| level.noise));
+        assert_eq!(level.noise(), Level::named("level-3").map(|level| level.noise.clone()));
         assert_eq!(level.clock(Clock::seconds(2.0)), Clock::simulations(600));
         assert_eq!((with_number.noise(), with_number.simulations()), (level.noise(), Some(50)));
         assert_eq!(BuiltInPlayer::read("carom").unwrap().noise(), None);

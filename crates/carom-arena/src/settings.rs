@@ -96,7 +96,7 @@ impl MatchSettings {
             physics: None,
             max_events: DEFAULT_MAX_EVENTS,
             noise: [Noise::NONE; 2],
-            perception: [Perception::default(); 2],
+            perception: [const { Perception::round(0.0) }; 2],
             clock: [Clock::default(); 2],
             breaker: Breaker::Alternate,
             same_break: None,
@@ -226,7 +226,7 @@ mod tests {
         let strike = Strike { speed: 5.0, azimuth: 1.57, elevation: 0.05, side: 0.9, height: 0.0 };
         let breaking = Play::new(strike).from([0.635, 0.5]);
         let noise = [Noise::NONE, Noise { speed: -1.0, ..Noise::NONE }];
-        let perception = [Perception { position: 3.0 }, Perception::default()];
+        let perception = [Perception::round(3.0), Perception::default()];
         for (settings, place) in [
             (MatchSettings { noise, ..good.clone() }, "noise[1].speed: "),
             (MatchSettings { perception, ..good.clone() }, "perception[0].position: "),

@@ -6,7 +6,7 @@ use std::fs;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use carom::format::Node;
-use carom::noise::Perception;
+use carom::noise::{Perception, PositionError};
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, Noise};
 use carom_arena::{
@@ -312,13 +312,18 @@ fn the_same_break_is_repeated_after_another_rack() {
 #[test]
 fn players_are_told_the_errors_that_the_settings_disclose() {
     let noise = [Noise::olympiad(1.0), Noise::olympiad(2.0)];
-    let perception = [Perception { position: 0.001 }, Perception { position: 0.002 }];
+    let perception = [Perception::round(0.001), Perception::round(0.002)];
     for (disclosure, told, seen) in [
-        (Disclosure::Both, noise, perception[0].position),
-        (Disclosure::Own, [noise[0], Noise::NONE], perception[0].position),
-        (Disclosure::Nothing, [Noise::NONE; 2], 0.0),
+        (Disclosure::Both, noise.clone(), perception[0].position),
+        (Disclosure::Own, [noise[0].clone(), Noise::NONE], perception[0].position),
+        (Disclosure::Nothing, [Noise::NONE; 2], PositionError::default()),
     ] {
-        let settings = MatchSettings { noise, perception, disclosure, ..short(Rules::NineBall) };
+        let settings = MatchSettings {
+            noise: noise.clone(),
+            perception: perception.clone(),
+            disclosure,
+            ..short(Rules::NineBall)
+        };
         let of = made(settings);
         let mut simulator = carom_rules::FrameSimulator::new();
         let frame = ArenaFrame::begin(of.clone(), 0, SECRET.pair_seeds(0), &mut simulator).unwrap();
@@ -328,16 +333,17 @@ fn players_are_told_the_errors_that_the_settings_disclose() {
         let frame = ArenaFrame::begin(of.clone(), 1, SECRET.pair_seeds(0), &mut simulator).unwrap();
         let NextStep::Ask(ask) = frame.next() else { panic!("a break") };
         if disclosure == Disclosure::Both {
-            assert_eq!(ask.situation.noise, [noise[1], noise[0]]);
+            assert_eq!(ask.situation.noise, [noise[1].clone(), noise[0].clone()]);
         }
     }
 }
 
 #[test]
 fn players_with_errors_of_perception_play_whole_frames_that_replay() {
-    let perception = [Perception { position: 0.003 }, Perception::default()];
+    let perception = [Perception::round(0.003), Perception::default()];
     let noise = Noise { cling_probability: 0.2, ..Noise::olympiad(1.0) };
-    let settings = MatchSettings { perception, noise: [noise; 2], ..short(Rules::NineBall) };
+    let settings =
+        MatchSettings { perception, noise: [noise.clone(), noise], ..short(Rules::NineBall) };
     let plan = plan(settings, 2);
     let text = record(&plan, 2, "perception");
     let replayed = replay(&text, &runner(2), &Progress::default()).unwrap();
@@ -347,7 +353,7 @@ fn players_with_errors_of_perception_play_whole_frames_that_replay() {
 
 #[test]
 fn a_cue_ball_is_moved_if_an_unseen_ball_is_in_the_way() {
-    let perception = [Perception { position: 0.005 }; 2];
+    let perception = [const { Perception::round(0.005) }; 2];
     let settings = MatchSettings { perception, noise: [Noise::NONE; 2], ..short(Rules::NineBall) };
     let of = made(settings);
     let mut simulator = carom_rules::FrameSimulator::new();

@@ -54,9 +54,14 @@ fn the_positions_of_a_record_are_the_requests_to_which_its_moves_answer() {
 fn records_with_given_breaks_and_errors_of_perception_replay() {
     let strike = Strike { speed: 8.0, azimuth: 1.57, elevation: 0.05, side: 0.0, height: 0.1 };
     let same_break = Some(Play::new(strike).from([0.635, 0.6]));
-    let perception = [Perception { position: 0.002 }; 2];
+    let perception = [const { Perception::round(0.002) }; 2];
     for breaker in [Breaker::Alternate, Breaker::Always(1)] {
-        let settings = MatchSettings { same_break, perception, breaker, ..short(Rules::EightBall) };
+        let settings = MatchSettings {
+            same_break,
+            perception: perception.clone(),
+            breaker,
+            ..short(Rules::EightBall)
+        };
         let text = record(&plan(settings, 2), &format!("given-{breaker:?}"));
         assert_eq!(text.matches("\"given\": true").count(), 4, "{breaker:?}");
         assert_eq!(replayed(&text).unwrap().difference, None, "{breaker:?}");

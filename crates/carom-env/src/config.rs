@@ -131,8 +131,10 @@ impl Config {
     /// The noise of the strikes of the agent, or of its opponent.
     pub(crate) fn noise_of(&self, is_agent: bool) -> Noise {
         match &self.opponent {
-            Opponent::Player(player) if !is_agent => player.noise().unwrap_or(self.noise),
-            _ => self.noise,
+            Opponent::Player(player) if !is_agent => {
+                player.noise().unwrap_or_else(|| self.noise.clone())
+            }
+            _ => self.noise.clone(),
         }
     }
 

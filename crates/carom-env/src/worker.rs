@@ -35,7 +35,7 @@ impl Worker {
     ) -> Option<Answer> {
         let (player, simulations) = self.player.as_mut()?;
         let noise = [0, 1].map(|seat| config.noise_of(seat == agent));
-        let situation = Situation { noise, ..Situation::new(frame, config.noise, seed) };
+        let situation = Situation { noise, ..Situation::new(frame, config.noise.clone(), seed) };
         let decision = player.decide(&situation, &Budget::simulations(*simulations));
         Some(decision.ok()?.answer)
     }

@@ -22,7 +22,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("usage: decisions FILE SIMULATIONS PASSES".into());
     };
     let (simulations, passes): (u64, u32) = (simulations.parse()?, passes.parse()?);
-    let (_, noise) = SKILLS.into_iter().find(|(name, _)| *name == LEVEL).ok_or("no such level")?;
+    let (_, noise) = SKILLS.iter().find(|(name, _)| *name == LEVEL).ok_or("no such level")?;
     let text = std::fs::read_to_string(file)?;
     let frames = text
         .lines()
@@ -33,7 +33,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for _ in 0..passes {
         (spent, bits) = (0, 0);
         for frame in &frames {
-            let situation = Situation::new(frame, noise, 0);
+            let situation = Situation::new(frame, noise.clone(), 0);
             let decision = player.decide(&situation, &Budget::simulations(simulations))?;
             spent += decision.spent.simulations;
             bits ^= decision.win_chance.unwrap_or_default().to_bits();

@@ -27,7 +27,7 @@ const STREAM: u64 = 0x6475_656c;
 const LEVEL: f64 = 0.95;
 
 /// What was agreed before the match.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 struct Terms {
     simulations: u64,
     noise: Noise,
@@ -111,7 +111,7 @@ fn play(
         let player = (seat + breaker) % 2;
         let cost = &mut costs[player];
         let began = Instant::now();
-        let situation = Situation::new(&frame, terms.noise, (rack << 16) + decisions);
+        let situation = Situation::new(&frame, terms.noise.clone(), (rack << 16) + decisions);
         let budget = Budget::simulations(terms.simulations);
         let decision = players[player].decide(&situation, &budget)?;
         let Spent { simulations, .. } = decision.spent;

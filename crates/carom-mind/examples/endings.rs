@@ -66,7 +66,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     for number in first..first + count {
         let frame = random_frame(rules, balls, number)?;
         let noise = Noise::olympiad(1.0);
-        let situation = Situation::new(&frame, noise, number);
+        let situation = Situation::new(&frame, noise.clone(), number);
         let decision = Searcher::default().decide(&situation, &Budget::simulations(simulations))?;
         let Answer::Play(chosen) = decision.answer else { continue };
         let brute = Brute::new(&frame, noise, number)?;
@@ -132,7 +132,7 @@ impl<'a> Brute<'a> {
     fn new(frame: &'a Frame, noise: Noise, seed: u64) -> Result<Self, Box<dyn Error>> {
         let prepared = Prepared::new(frame, None)?;
         let seat = frame.player().ok_or("the frame is over")?;
-        Ok(Self { frame, prepared, noise: [noise; 2], seat, seed })
+        Ok(Self { frame, prepared, noise: [noise.clone(), noise], seat, seed })
     }
 
     /// The best play, its value with fresh errors, and the number of plays that were tried with
@@ -234,7 +234,8 @@ impl<'a> Brute<'a> {
     /// The mean value of a play over `samples` drawn errors from number `first` on.
     fn mean(&self, play: &Play, first: u64, samples: u64) -> Result<f64, carom::Error> {
         let (mut sampler, mut successor) = (Sampler::new(), self.frame.clone());
-        let errors = Errors { noise: self.noise[self.seat], seed: !self.seed, ..Errors::default() };
+        let errors =
+            Errors { noise: self.noise[self.seat].clone(), seed: !self.seed, ..Errors::default() };
         let mut sum = 0.0;
         for index in first..first + samples {
             sampler.simulate_variant(&self.prepared, &play.strike, &errors, index)?;

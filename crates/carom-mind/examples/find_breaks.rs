@@ -110,7 +110,7 @@ fn add(
     let mut found = start.clone();
     let mut spent = 0;
     for seed in 0..SEARCHES {
-        let situation = Situation::new(&frame, of_player, seed << 48);
+        let situation = Situation::new(&frame, of_player.clone(), seed << 48);
         let start: &[BreakShot] = if seed % 2 == 0 { &start } else { &[] };
         let search = BreakSearch::new(&situation, &value, simulations, start)?;
         let (shot, counts, plays) = search.run(runner)?;
@@ -118,7 +118,7 @@ fn add(
         eprintln!("{key} {shot:?} {:.3} ± {:.3}", counts.win, counts.error);
         found.push(shot);
     }
-    let situation = Situation::new(&frame, of_player, SEED);
+    let situation = Situation::new(&frame, of_player.clone(), SEED);
     let racks = Racks::new(&situation, &value)?.with_replies(EVERY, PER_REPLY);
     // The winner is chosen on other racks than those of its counts.
     let (counts, _) = racks.count(&found, 0, RACKS, runner)?;

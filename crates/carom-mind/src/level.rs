@@ -8,7 +8,7 @@ use carom::Noise;
 use carom::noise::SKILLS;
 
 /// A level of strength of the searching player.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Level {
     /// Its name, `level-1` to `level-5`.
     pub name: &'static str,
@@ -21,8 +21,8 @@ pub struct Level {
 impl Level {
     /// The level with `errors` times the errors of a club player.
     const fn new(name: &'static str, errors: f64, simulations: u32) -> Self {
-        let (_, club) = SKILLS[2];
-        Self { name, noise: club.scaled(errors), simulations }
+        let (_, club) = &SKILLS[2];
+        Self { name, noise: club.independent(errors), simulations }
     }
 
     /// The level of that name.
@@ -32,7 +32,7 @@ impl Level {
 }
 
 /// The levels, the weakest first.
-pub const LEVELS: [Level; 5] = [
+pub static LEVELS: [Level; 5] = [
     Level::new("level-1", 1.42, 120),
     Level::new("level-2", 1.18, 250),
     Level::new("level-3", 0.9, 600),

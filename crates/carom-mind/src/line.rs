@@ -130,8 +130,14 @@ pub(crate) fn chance_within(tolerance: f64, error: f64) -> f64 {
 /// The standard deviation (rad) of the cue ball's direction for a player with these errors: that of
 /// the cue, of squirt, and of what the noise does not count. `radius` is the cue ball's, m.
 pub(crate) fn direction_error(noise: &Noise, radius: f64) -> f64 {
-    let side = SQUIRT * noise.side_m / radius;
-    sqrt(noise.azimuth * noise.azimuth + side * side + OWN_ERROR * OWN_ERROR)
+    // No error of a direction depends on the speed.
+    let [_, azimuth, _, side, _] = noise.deviations(0.0);
+    let side = SQUIRT * side / radius;
+    // Right of centre, at a positive side, squirt turns to the left, as a positive azimuth does.
+    let both = 2.0 * SQUIRT / radius * noise.covariance_at(0.0)[1][3];
+    sqrt(
+        (azimuth * azimuth + side * side + OWN_ERROR * OWN_ERROR + both).max(OWN_ERROR * OWN_ERROR),
+    )
 }
 
 /// Adds every direct line to `lines`.

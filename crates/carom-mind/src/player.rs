@@ -6,7 +6,7 @@ use carom::{Error, Noise};
 use carom_rules::{Choice, Frame, Play, Request, Seat};
 
 /// What a player knows before a decision.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub struct Situation<'a> {
     /// The frame. It must not be over.
     pub frame: &'a Frame,
@@ -21,7 +21,7 @@ pub struct Situation<'a> {
 impl<'a> Situation<'a> {
     /// A situation in which both players have the same errors and see the balls exactly.
     pub fn new(frame: &'a Frame, noise: Noise, seed: u64) -> Self {
-        Self { frame, noise: [noise; 2], perception: Perception::default(), seed }
+        Self { frame, noise: [noise.clone(), noise], perception: Perception::default(), seed }
     }
 
     /// The seat that has to answer, and its request.

@@ -88,8 +88,8 @@ fn the_found_break_keeps_the_turn_more_often_than_a_full_hit_from_the_middle() {
         let frame = new_frame(rules, None);
         let noise = Noise::olympiad(1.0);
         let (entry, _) = found(&frame, &noise).expect("an entry");
-        let own = count(&frame, noise, entry.shot, 300);
-        let center = count(&frame, noise, BreakShot::center(8.0), 300);
+        let own = count(&frame, noise.clone(), entry.shot, 300);
+        let center = count(&frame, noise.clone(), BreakShot::center(8.0), 300);
         assert!(own.kept > center.kept + 20, "{}: {own:?} {center:?}", rules.name());
         assert!(own.win > center.win, "{}: {own:?} {center:?}", rules.name());
     }
@@ -99,15 +99,15 @@ fn the_found_break_keeps_the_turn_more_often_than_a_full_hit_from_the_middle() {
 fn a_search_finds_a_good_break_with_the_same_bits_for_any_number_of_threads() {
     let frame = new_frame(Rules::NineBall, None);
     let noise = Noise::olympiad(1.0);
-    let situation = Situation::new(&frame, noise, 3);
+    let situation = Situation::new(&frame, noise.clone(), 3);
     let search = |threads| {
         let search = BreakSearch::new(&situation, &Logistic, 12_000, &[]).expect("a frame");
         search.run(&runner(threads)).expect("a break")
     };
     let (shot, counts, plays) = search(1);
     assert_eq!(search(3), (shot, counts, plays));
-    let own = count(&frame, noise, shot, 300);
-    let soft = count(&frame, noise, BreakShot::center(4.0), 300);
+    let own = count(&frame, noise.clone(), shot, 300);
+    let soft = count(&frame, noise.clone(), BreakShot::center(4.0), 300);
     assert!(own.kept > soft.kept + 60, "{shot:?} {own:?} {soft:?}");
 }
 

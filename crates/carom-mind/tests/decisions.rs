@@ -63,7 +63,7 @@ fn play_every_game(mut player: Searcher) {
             if frame.is_over() {
                 break;
             }
-            let situation = Situation::new(&frame, noise, index);
+            let situation = Situation::new(&frame, noise.clone(), index);
             let decision = player
                 .decide(&situation, &Budget::simulations(FEW))
                 .unwrap_or_else(|error| panic!("{}: {error}", rules.name()));
@@ -305,7 +305,7 @@ fn the_position_after_each_choice_is_searched_within_the_budget() {
     let chances = choices.iter().map(|choice| {
         let mut next = frame.clone();
         next.choose(*choice).expect("an offered choice");
-        let after = Situation { frame: &next, ..situation };
+        let after = Situation { frame: &next, ..situation.clone() };
         let share = Budget::simulations(8000 / choices.len() as u64);
         let decision = Searcher::default().decide(&after, &share).expect("a decision");
         let chance = decision.win_chance.expect("an estimate");

@@ -104,7 +104,7 @@ fn rate(count: u64, mut work: impl FnMut() -> Result<u64, Error>) -> Result<f64,
 
 const ERRORS: Errors = Errors {
     noise: Noise::olympiad(1.0),
-    perception: carom::noise::Perception { position: 0.0 },
+    perception: carom::noise::Perception::round(0.0),
     seed: 1,
 };
 

@@ -11,7 +11,7 @@ use crate::progress::Progress;
 const VARIANTS_BETWEEN_CHECKS: u64 = 128;
 
 /// The errors of a player, and the sampling of a probability up to a precision.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ErrorModel {
     /// Errors of the strike.
     pub noise: Noise,
@@ -56,8 +56,9 @@ impl ErrorModel {
     }
 
     /// The errors and their seed.
-    pub const fn errors(&self) -> Errors {
-        Errors { noise: self.noise, perception: self.perception, seed: self.seed }
+    pub fn errors(&self) -> Errors {
+        let Self { noise, perception, seed, .. } = self;
+        Errors { noise: noise.clone(), perception: perception.clone(), seed: *seed }
     }
 
     /// Whether the probabilities with these `counts` among `trials` have the requested precision.

@@ -30,7 +30,7 @@ pub const VARIANTS_PER_ROUND: u64 = 1024;
 pub const MOST_VARIANTS: u64 = 1_000_000_000;
 
 /// A question about the strike of a shot.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub struct Question<'a> {
     /// The errors of the player, the number of variants and the precision.
     pub model: ErrorModel,

@@ -9,6 +9,7 @@ use carom::{Error, MotionState, Shot, Simulator};
 use crate::error_model::{Chance, ErrorModel};
 use crate::places::{Places, distance};
 use crate::progress::Progress;
+use crate::reach::Reach;
 use crate::route::{Route, RouteLog};
 
 /// Added to the miss when the cue ball is pocketed or leaves the table, m. It exceeds the length of
@@ -235,11 +236,18 @@ pub(crate) struct GoalTester<'a> {
     shot: &'a Shot,
     fresh: GoalRecorder,
     simulator: Simulator,
+    reach: Reach,
 }
 
 impl<'a> GoalTester<'a> {
     pub(crate) fn new(shot: &'a Shot, goal: Goal) -> Self {
-        Self { shot, fresh: GoalRecorder::new(shot, goal), simulator: Simulator::new() }
+        let (fresh, simulator) = (GoalRecorder::new(shot, goal), Simulator::new());
+        Self { shot, fresh, simulator, reach: Reach::default() }
+    }
+
+    /// The same for strikes within `reach`: others cannot be played.
+    pub(crate) fn within(self, reach: Reach) -> Self {
+        Self { reach, ..self }
     }
 
     /// The same without the demand that the cue ball stays on the table.
@@ -253,8 +261,13 @@ impl<'a> GoalTester<'a> {
         self.shot
     }
 
-    /// The result of `strike`; None if it cannot be played.
+    /// The result of `strike`; None if it cannot be played, or is out of reach.
     pub(crate) fn play(&mut self, strike: &Strike) -> Option<Attempt> {
+        self.reach.allows(strike, self.shot).then(|| self.execute(strike))?
+    }
+
+    /// The result of `strike`, which an error may have moved out of reach; None if it cannot be played.
+    fn execute(&mut self, strike: &Strike) -> Option<Attempt> {
         self.shot.resolve_strike(strike).ok()?;
         let (ball, _) = self.shot.strike()?;
         let mut recorder = self.fresh.clone();
@@ -284,7 +297,7 @@ impl<'a> GoalTester<'a> {
         model.count(progress, |k| {
             let strike = model.noise.draw(strike, &ball, model.seed, k);
             let attempt = if errors.are_of_the_strike() {
-                self.play(&strike)
+                self.execute(&strike)
             } else {
                 let variant = errors.shot(self.shot, Some((struck, strike)), k).ok();
                 variant.and_then(|variant| self.play_on(&variant, &strike))

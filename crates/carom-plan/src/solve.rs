@@ -14,6 +14,7 @@
 use core::f64::consts::{FRAC_PI_2, TAU};
 
 use carom::math::{cos, exp, log, sin_cos, sqrt};
+use carom::noise::StruckBall;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use carom::{Error, Shot};
@@ -24,6 +25,7 @@ use crate::error_model::{Chance, ErrorModel};
 use crate::goal::{Goal, GoalTester};
 use crate::interval::Interval;
 use crate::progress::Progress;
+use crate::reach::Reach;
 use crate::route::Route;
 
 /// Pairs of speed and spin tried with every azimuth that geometry proposes. All azimuths together
@@ -62,7 +64,7 @@ const MOST_WANTED: usize = 10_000;
 const PART: usize = 65_536;
 
 /// The range and the effort of a search.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Search {
     /// Least and greatest speed of the cue, m/s.
     pub speed: [f64; 2],
@@ -71,6 +73,8 @@ pub struct Search {
     /// Largest elevation, rad, for jumps and massés. They are tried in addition to strikes at the
     /// shot's own elevation; if that is the default, it follows the aim. None tries only the latter.
     pub elevation: Option<f64>,
+    /// What the player can reach: a limit of every strike.
+    pub reach: Reach,
     /// Strikes spread over the whole range, in addition to those that geometry proposes.
     pub samples: usize,
     /// The errors under which the strikes are ranked, and the precision of the ranking.
@@ -89,6 +93,7 @@ impl Default for Search {
             speed: [0.5, 7.0],
             offset: 0.45,
             elevation: None,
+            reach: Reach::default(),
             samples: 4096,
             model: ErrorModel::default(),
             wanted: 10,
@@ -101,7 +106,8 @@ impl Default for Search {
 /// A strike that reaches the goal.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
-    /// The strike. It meets the goal when it is hit exactly.
+    /// The strike to intend. It meets the goal when it is hit exactly; under a noise with a mean error,
+    /// when it has that error alone.
     pub strike: Strike,
     /// Its route.
     pub route: Route,
@@ -151,6 +157,7 @@ pub fn solve(
 impl Search {
     fn check(&self) -> Result<(), Error> {
         self.model.check()?;
+        self.reach.check()?;
         let refuse =
             |place: &str, what: String, remedy: &str| Err(Error::input(place, what, remedy));
         let [least, most] = self.speed;
@@ -222,6 +229,7 @@ impl Solver<'_> {
         work: impl Fn(&mut GoalTester<'_>, A) -> Option<B> + Sync + Send,
     ) -> Option<Vec<B>> {
         let (shot, goal, progress) = (self.shot, *self.goal, self.progress);
+        let reach = self.search.reach;
         progress.begin(stage as u64, items.len());
         let mut all = Vec::new();
         let mut items = items.into_iter();
@@ -230,7 +238,7 @@ impl Solver<'_> {
             let part: Vec<A> = items.by_ref().take(PART).collect();
             let found = self.runner.map(
                 part,
-                || GoalTester::new(shot, goal),
+                || GoalTester::new(shot, goal).within(reach),
                 |tester, item| {
                     if progress.is_stopped() {
                         return None;
@@ -252,6 +260,9 @@ impl Solver<'_> {
         let is_default = self.shot.has_default_elevation();
         let least = if is_default { self.shot.physics().cue.stroke_elevation } else { own };
         let elevation = self.search.elevation.map(|most| [least, most]);
+        // A reach above the shot's own elevation raises every strike to it.
+        let reach = self.search.reach.elevation.unwrap_or([0.0, FRAC_PI_2]);
+        let elevation = elevation.map(|[a, b]| [a.max(reach[0]), b.min(reach[1])]);
         Limits { speed: self.search.speed, offset, elevation: elevation.filter(|[a, b]| a < b) }
     }
 
@@ -264,7 +275,7 @@ impl Solver<'_> {
         });
         let spread = (0..self.search.samples).map(|i| {
             let [turn, rest @ ..] = in_four(i);
-            self.at_own_elevation(TAU * turn, rest)
+            self.at_own_elevation(self.search.reach.azimuth_at(turn), rest)
         });
         let mut all: Vec<Strike> = aimed.chain(spread).collect();
         if let Some(range) = self.limits().elevation {
@@ -303,14 +314,15 @@ impl Solver<'_> {
         });
         let spread = (0..self.search.samples).map(|i| {
             let [turn, share, rest @ ..] = in_five(i);
-            self.strike(TAU * turn, rest, elevation(share))
+            self.strike(self.search.reach.azimuth_at(turn), rest, elevation(share))
         });
         jumps.chain(masses).chain(spread).collect()
     }
 
     /// As [`Self::strike`], at the elevation that the shot gives it.
     fn at_own_elevation(&self, azimuth: f64, point: [f64; 3]) -> Strike {
-        self.shot.at_own_elevation(&self.strike(azimuth, point, 0.0))
+        let strike = self.shot.at_own_elevation(&self.strike(azimuth, point, 0.0));
+        self.search.reach.raised(strike)
     }
 
     /// The strike at a point of the unit cube, whose coordinates stand for the speed and for the squared
@@ -329,9 +341,12 @@ impl Solver<'_> {
     }
 
     fn rank(&self, refined: Vec<TriedStrike>) -> Option<Vec<Solution>> {
-        let model = self.search.model;
-        let few =
-            ErrorModel { variants: FIRST_VARIANTS.min(model.variants), half_width: None, ..model };
+        let model = &self.search.model;
+        let few = ErrorModel {
+            variants: FIRST_VARIANTS.min(model.variants),
+            half_width: None,
+            ..model.clone()
+        };
         let first = self.counted(Stage::Sift, refined, &few)?;
         let mut kept: Vec<TriedStrike> = Vec::new();
         let mut on_route: HashMap<Route, usize> = HashMap::new();
@@ -348,16 +363,23 @@ impl Solver<'_> {
                 kept.push(tried);
             }
         }
-        let mut ranked = self.counted(Stage::Rank, kept, &model)?;
+        let mut ranked = self.counted(Stage::Rank, kept, model)?;
         ranked.truncate(self.search.wanted);
         let solution = |(chance, tried): (Chance, TriedStrike)| Solution {
-            strike: tried.strike,
+            strike: self.intended(&tried.strike),
             cue_ball_end: tried.attempt.cue_ball_end,
             route: tried.attempt.route,
             chance,
             interval: chance.interval(model.level),
         };
         Some(ranked.into_iter().map(solution).collect())
+    }
+
+    /// What to intend, so that `strike` is executed under the mean error.
+    fn intended(&self, strike: &Strike) -> Strike {
+        let Some((ball, _)) = self.shot.strike() else { return *strike };
+        let struck = StruckBall::of(self.shot, &self.shot.balls()[ball].ball);
+        self.search.model.noise.aim_for(strike, &struck)
     }
 
     /// The strikes with their chances, the greatest first.
@@ -368,7 +390,8 @@ impl Solver<'_> {
         model: &ErrorModel,
     ) -> Option<Vec<(Chance, TriedStrike)>> {
         let mut counted = self.each(stage, list, |tester, tried| {
-            Some((tester.chance(&tried.strike, model, self.progress), tried))
+            let meant = self.intended(&tried.strike);
+            Some((tester.chance(&meant, model, self.progress), tried))
         })?;
         counted.sort_by(|(a, _), (b, _)| b.compare(*a));
         Some(counted)

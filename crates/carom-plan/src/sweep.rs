@@ -31,7 +31,7 @@ pub struct SweepRows<'a> {
     /// per row.
     pub strike: &'a [(usize, &'a [f64])],
     /// The noise of the strike, its seed, and the index of each row's error.
-    pub noise: Option<(Noise, u64, &'a [i64])>,
+    pub noise: Option<(&'a Noise, u64, &'a [i64])>,
 }
 
 impl<'a> SweepRows<'a> {
@@ -229,7 +229,7 @@ pub fn shot(rows: &SweepRows<'_>, row: usize) -> Result<ShotFile, Error> {
     made.resolve_strike(&meant)?;
     let made = made.with_strike(&meant)?;
     rows.noise.map_or(Ok(made.clone()), |(noise, seed, index)| {
-        draw_variant(&made, &noise, seed, index[row] as u64)
+        draw_variant(&made, noise, seed, index[row] as u64)
     })
 }
 

@@ -158,12 +158,12 @@ fn a_referee_does_not_change_the_counts() {
     let place = [0.5 * frame.base().table().size.x, 0.5];
     let strike = Strike { speed: 8.0, azimuth: 1.57, elevation: 0.02, side: 0.0, height: 0.1 };
     let shot = frame.shot(&Play::new(strike).from(place)).expect("a break");
-    let perception = Perception { position: 0.001 };
+    let perception = Perception::round(0.001);
     for perception in [Perception::default(), perception] {
         let asked = question_of(ErrorModel { perception, ..model(150) });
         let alone = answer(&shot, &asked);
         let referee = Some(Referee { frame: &frame, call: Call::Nothing });
-        let ruled = answer(&shot, &Question { referee, ..asked });
+        let ruled = answer(&shot, &Question { referee, ..asked.clone() });
         assert_eq!(alone.potted, ruled.potted);
         assert_eq!(alone.off_table, ruled.off_table);
         assert_eq!(alone.ends, ruled.ends);
@@ -177,7 +177,7 @@ fn poor_perception_pots_less_even_with_exact_strikes() {
     let shot = shot("side_pocket_cut");
     let (object, variants) = (1, 2000);
     let fell = [0.0, 0.001, 0.004].map(|position| {
-        let perception = Perception { position };
+        let perception = Perception::round(position);
         let exact = ErrorModel { noise: Noise::default(), perception, ..model(variants) };
         answer(&shot, &question_of(exact)).falls(object)
     });
@@ -188,9 +188,13 @@ fn poor_perception_pots_less_even_with_exact_strikes() {
 #[test]
 fn every_variant_plays_its_strike_on_the_layout_of_the_same_index() {
     let shot = shot("frozen_combination");
-    let perception = Perception { position: 0.003 };
+    let perception = Perception::round(0.003);
     let noise = Noise::olympiad(1.0);
-    let asked = question_of(ErrorModel { noise, perception, ..model(60) });
+    let asked = question_of(ErrorModel {
+        noise: noise.clone(),
+        perception: perception.clone(),
+        ..model(60)
+    });
     let evaluation = answer(&shot, &asked);
     let (struck, meant) = shot.strike().expect("a strike");
     let ball = StruckBall::of(&shot, &shot.balls()[struck].ball);
@@ -208,7 +212,7 @@ fn every_variant_plays_its_strike_on_the_layout_of_the_same_index() {
         assert_eq!(evaluation.falls(ball), count);
     }
     for threads in [1, 3] {
-        let again = answer(&shot, &Question { threads: Some(threads), ..asked });
+        let again = answer(&shot, &Question { threads: Some(threads), ..asked.clone() });
         assert_eq!(again.potted, evaluation.potted);
         assert_eq!(again.ends, evaluation.ends);
     }
@@ -221,7 +225,7 @@ fn bad_questions_are_rejected_by_name() {
         evaluate(&shot, &question, &Progress::default()).expect_err("nonsense").to_string()
     };
     assert!(refuse(question_of(ErrorModel { level: 1.0, ..model(1) })).starts_with("level: "));
-    let perception = Perception { position: -0.001 };
+    let perception = Perception::round(-0.001);
     assert!(
         refuse(question_of(ErrorModel { perception, ..model(1) }))
             .starts_with("perception.position: ")
@@ -240,7 +244,7 @@ fn bad_questions_are_rejected_by_name() {
 #[test]
 fn perceived_positions_have_the_given_spread_and_never_overlap() {
     let shot = shot("frozen_combination");
-    let sight = Perception { position: 0.002 };
+    let sight = Perception::round(0.002);
     let (mut sum, mut count) = (0.0, 0.0);
     for index in 0..300 {
         let seen = sight.draw(&shot, 3, index).expect("a valid shot, whatever is seen");
@@ -254,5 +258,5 @@ fn perceived_positions_have_the_given_spread_and_never_overlap() {
     assert!((0.0017..0.0023).contains(&sigma), "{sigma}");
     let clear = Perception::default().draw(&shot, 3, 0).expect("a shot");
     assert_eq!(clear, shot);
-    assert!(Perception { position: -1.0 }.draw(&shot, 3, 0).is_err());
+    assert!(Perception::round(-1.0).draw(&shot, 3, 0).is_err());
 }

@@ -141,8 +141,8 @@ fn breaks_are_the_same_for_any_number_of_threads() {
     let opening = Break::new(Game::EightBall, 5);
     let model =
         ErrorModel { noise: Noise::olympiad(2.0), seed: 5, variants: 20, ..ErrorModel::default() };
-    let alone = broken(&opening, model, Some(1));
-    let together = broken(&opening, model, Some(2));
+    let alone = broken(&opening, model.clone(), Some(1));
+    let together = broken(&opening, model.clone(), Some(2));
     assert_eq!(alone.result.pocket, together.result.pocket);
     // The first racks do not depend on how many follow.
     let few = broken(&opening, ErrorModel { variants: 7, ..model }, None);
@@ -153,7 +153,7 @@ fn breaks_are_the_same_for_any_number_of_threads() {
 fn breaks_end_when_every_interval_is_as_short_as_was_asked_for() {
     let opening = Break::new(Game::NineBall, 1);
     let model = ErrorModel { variants: 3000, half_width: Some(0.04), ..ErrorModel::default() };
-    let statistics = broken(&opening, model, None);
+    let statistics = broken(&opening, model.clone(), None);
     assert_eq!(statistics.result.shots, 1024, "one round is enough");
 }
 

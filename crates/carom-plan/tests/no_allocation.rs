@@ -40,7 +40,7 @@ fn allocations(
 fn simulating_and_ruling_allocate_nothing_in_any_game() {
     let clinging = Noise { cling_probability: 0.1, ..Noise::olympiad(1.0) };
     let of_the_strike = Errors { noise: Noise::olympiad(1.0), seed: 1, ..Errors::default() };
-    let all = Errors { noise: clinging, perception: Perception { position: 0.002 }, seed: 2 };
+    let all = Errors { noise: clinging, perception: Perception::round(0.002), seed: 2 };
     for rules in Rules::ALL {
         let positions = positions(rules, 8, SHOTS);
         let prepared: Vec<_> = positions
@@ -49,17 +49,17 @@ fn simulating_and_ruling_allocate_nothing_in_any_game() {
                 (Prepared::new(frame, play.cue_ball).expect("a place with room"), *play)
             })
             .collect();
-        for errors in [of_the_strike, all] {
+        for errors in [&of_the_strike, &all] {
             let (mut sampler, mut successor) = (Sampler::new(), positions[0].0.clone());
-            let first = allocations(&mut sampler, &mut successor, &prepared, &errors);
+            let first = allocations(&mut sampler, &mut successor, &prepared, errors);
             assert!(first > 0, "the counter counts");
             // Shots of other numbers of balls need other variants, so each shot is repeated at once.
             let again: u64 = prepared
                 .iter()
                 .map(|one| {
                     let one = std::slice::from_ref(one);
-                    allocations(&mut sampler, &mut successor, one, &errors);
-                    allocations(&mut sampler, &mut successor, one, &errors)
+                    allocations(&mut sampler, &mut successor, one, errors);
+                    allocations(&mut sampler, &mut successor, one, errors)
                 })
                 .sum();
             assert_eq!(again, 0, "{}", rules.name());

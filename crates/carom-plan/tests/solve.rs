@@ -124,8 +124,10 @@ fn the_shot_of_a_solution_reproduces_it_to_the_bit() {
 fn solutions_are_the_same_for_any_number_of_threads() {
     let goal = Goal { pot: Some((1, None)), ..Goal::default() };
     let few = Search { samples: 512, model: model(100), ..search() };
-    let alone = solve(&cut(), &goal, &Search { threads: Some(1), ..few }).expect("solutions");
-    let together = solve(&cut(), &goal, &Search { threads: Some(2), ..few }).expect("solutions");
+    let alone =
+        solve(&cut(), &goal, &Search { threads: Some(1), ..few.clone() }).expect("solutions");
+    let together =
+        solve(&cut(), &goal, &Search { threads: Some(2), ..few.clone() }).expect("solutions");
     assert_eq!(alone, together);
 }
 
@@ -167,7 +169,7 @@ fn chances_are_counted_until_they_are_as_precise_as_was_asked_for() {
 fn poor_perception_lowers_the_chances() {
     let goal = Goal { pot: Some((1, Some(5))), ..Goal::default() };
     let best = |position| {
-        let perception = carom::noise::Perception { position };
+        let perception = carom::noise::Perception::round(position);
         let model = ErrorModel { perception, ..model(300) };
         let few = Search { samples: 512, model, ..search() };
         solve(&cut(), &goal, &few).expect("solutions")[0].chance.share()

@@ -45,7 +45,7 @@ fn a_row_with_noise_plays_the_variant_of_its_index() {
         layout: &[0; 3],
         columns: &[],
         strike: &[],
-        noise: Some((noise, seed, &[5, 1, 5])),
+        noise: Some((&noise, seed, &[5, 1, 5])),
     };
     let played = sweep::play(&rows, 2, false);
     let drawn = draw_strikes(&shot, &noise, 6, seed, 0).unwrap();

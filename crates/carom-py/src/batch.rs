@@ -104,8 +104,10 @@ pub(crate) fn check_perception(py: Python<'_>, perception: PerceptionOptions) ->
 
 /// Rejects invalid standard deviations of a strike.
 #[pyfunction]
-pub(crate) fn check_noise(py: Python<'_>, noise: NoiseOptions) -> PyResult<()> {
-    noise.noise().check().map_err(|e| to_exception(py, &e))
+pub(crate) fn check_noise(noise: &Bound<'_, PyAny>) -> PyResult<()> {
+    // Not an argument, whose error would have a note about the argument.
+    let options: NoiseOptions = noise.extract()?;
+    options.noise().check().map_err(|e| to_exception(noise.py(), &e))
 }
 
 /// The shot with the strike and the cling of variant `index` of `seed`.
@@ -144,8 +146,8 @@ pub(crate) fn olympiad(multiplier: f64) -> [f64; 7] {
 #[pyfunction]
 pub(crate) fn noise_presets() -> Vec<(&'static str, [f64; 7])> {
     let olympiad = ("olympiad", Noise::olympiad(1.0));
-    let all = SKILLS.into_iter().chain([olympiad]);
-    all.map(|(name, noise)| (name, numbers_of(&noise))).collect()
+    let all = SKILLS.iter().chain([&olympiad]);
+    all.map(|(name, noise)| (*name, numbers_of(noise))).collect()
 }
 
 /// The runner of `threads` threads; 0 is one per core.

@@ -46,7 +46,7 @@ mod _core {
     #[pymodule_export]
     use crate::player::{Player, players};
     #[pymodule_export]
-    use crate::reference::{break_presets, break_shot, games, physics, schema, tables};
+    use crate::reference::{break_presets, break_shot, games, physics, repaired, schema, tables};
     #[pymodule_export]
     use crate::rolling::rolling_bands;
     #[pymodule_export]

@@ -1,14 +1,20 @@
 //! Objects of options, read by attribute: the frozen dataclasses of `carom.noise` and
 //! `carom.plan.options`.
 
+use std::sync::Arc;
+
 use carom::Noise;
-use carom::noise::Perception;
-use carom_plan::{Disc, ErrorModel, Goal, Search};
+use carom::noise::{Covariance, Perception, PositionError, Samples};
+use carom_plan::{Disc, ErrorModel, Goal, Reach, Search};
 use pyo3::prelude::*;
 
+use crate::error::to_exception;
+
 /// `carom.Noise`.
+pub(crate) struct NoiseOptions(Noise);
+
 #[derive(FromPyObject)]
-pub(crate) struct NoiseOptions {
+struct NoiseFields {
     speed: f64,
     azimuth: f64,
     elevation: f64,
@@ -16,31 +22,56 @@ pub(crate) struct NoiseOptions {
     height_m: f64,
     cling_probability: f64,
     cling_friction: f64,
+    speed_relative: f64,
+    covariance: Option<[[f64; 5]; 5]>,
+    bias: Option<[f64; 5]>,
+    samples: Option<Vec<[f64; 5]>>,
 }
 
 impl NoiseOptions {
     pub(crate) fn noise(&self) -> Noise {
-        Noise {
-            speed: self.speed,
-            azimuth: self.azimuth,
-            elevation: self.elevation,
-            side_m: self.side_m,
-            height_m: self.height_m,
-            cling_probability: self.cling_probability,
-            cling_friction: self.cling_friction,
-        }
+        self.0.clone()
+    }
+}
+
+impl FromPyObject<'_, '_> for NoiseOptions {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'_, '_, PyAny>) -> PyResult<Self> {
+        let fields: NoiseFields = object.extract()?;
+        let raise = |error: carom::Error| to_exception(object.py(), &error);
+        Ok(Self(Noise {
+            speed: fields.speed,
+            azimuth: fields.azimuth,
+            elevation: fields.elevation,
+            side_m: fields.side_m,
+            height_m: fields.height_m,
+            cling_probability: fields.cling_probability,
+            cling_friction: fields.cling_friction,
+            speed_relative: fields.speed_relative,
+            covariance: fields.covariance.map(Covariance::new).transpose().map_err(raise)?,
+            bias: fields.bias.unwrap_or_default(),
+            samples: fields.samples.map(Samples::new).transpose().map_err(raise)?,
+        }))
     }
 }
 
 /// `carom.Perception`.
 #[derive(FromPyObject)]
 pub(crate) struct PerceptionOptions {
-    position: f64,
+    sigma: [f64; 2],
+    correlation: f64,
+    errors: Vec<(String, [f64; 2], f64)>,
 }
 
 impl PerceptionOptions {
-    pub(crate) const fn perception(&self) -> Perception {
-        Perception { position: self.position }
+    pub(crate) fn perception(&self) -> Perception {
+        let position = PositionError { sigma: self.sigma, correlation: self.correlation };
+        let of_ball = |(id, sigma, correlation): &(String, [f64; 2], f64)| {
+            (id.clone(), PositionError { sigma: *sigma, correlation: *correlation })
+        };
+        let balls = self.errors.iter().map(of_ball).collect();
+        Perception { position, balls: (!self.errors.is_empty()).then(|| Arc::new(balls)) }
     }
 }
 
@@ -89,6 +120,9 @@ pub(crate) struct SearchOptions {
     speed: [f64; 2],
     offset: f64,
     elevation: Option<f64>,
+    azimuth_reach: Option<[f64; 2]>,
+    elevation_reach: Option<[f64; 2]>,
+    butt: Option<[[f64; 2]; 2]>,
     samples: usize,
     wanted: usize,
     per_route: usize,
@@ -100,6 +134,11 @@ impl SearchOptions {
             speed: self.speed,
             offset: self.offset,
             elevation: self.elevation,
+            reach: Reach {
+                azimuth: self.azimuth_reach,
+                elevation: self.elevation_reach,
+                butt: self.butt,
+            },
             samples: self.samples,
             model: sampling.model(),
             wanted: self.wanted,

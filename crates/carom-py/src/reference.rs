@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 
 use crate::error::to_exception;
 use crate::exceptions::InputError;
-use crate::node::to_python;
+use crate::node::{from_python, to_python};
 use crate::shot::Shot;
 
 /// Every physics preset with its values and their sources.
@@ -33,6 +33,19 @@ pub(crate) fn games() -> Vec<&'static str> {
 #[pyfunction]
 pub(crate) fn break_presets(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     to_python(py, &carom::rack::break_presets())
+}
+
+/// A shot file with overlapping balls apart, and the balls that moved: id, and by how much (m).
+#[pyfunction]
+pub(crate) fn repaired<'py>(
+    file: &Bound<'py, PyAny>,
+    tolerance: f64,
+) -> PyResult<(Bound<'py, PyAny>, Vec<(String, [f64; 2])>)> {
+    let py = file.py();
+    let found = carom::format::repaired(&from_python(file)?, tolerance);
+    let (file, moved) = found.map_err(|e| to_exception(py, &e))?;
+    let moved = moved.into_iter().map(|ball| (ball.id, ball.by)).collect();
+    Ok((to_python(py, &file)?, moved))
 }
 
 /// The opening shot of a game; None stands for the game's usual value.

@@ -2,9 +2,11 @@
 
 use std::sync::Arc;
 
-use carom::ShotFile;
 use carom::format::{check_balls, check_physics, check_table};
+use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
+use carom::shot::{CuePose, Touched};
+use carom::{Error, ShotFile};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
@@ -25,6 +27,9 @@ pub(crate) fn strike_or_default(
     let strike = Strike { speed, azimuth, elevation: elevation.unwrap_or(0.0), side, height };
     (strike, elevation.is_some())
 }
+
+/// Tip, direction, butt, and the clearance with the name of what is nearest.
+type CuePoseFields = ([f64; 3], [f64; 3], [f64; 3], Option<(f64, String)>);
 
 /// A validated shot; immutable, shared, never copied.
 #[pyclass(frozen, module = "carom._core")]
@@ -127,6 +132,41 @@ impl Shot {
     fn strike(&self) -> Option<(f64, f64, f64, f64, f64)> {
         let (_, s) = self.0.strike()?;
         Some((s.speed, s.azimuth, s.elevation, s.side, s.height))
+    }
+
+    /// The cue: tip, direction and butt (m), and its clearance (m) over the nearest ball or rail.
+    fn cue_pose(&self) -> Option<CuePoseFields> {
+        let pose = self.0.cue_pose()?;
+        let clearance = self.0.cue_clearance();
+        let name = |touched| match touched {
+            Touched::Ball(ball) => self.0.balls()[usize::from(ball)].id.clone(),
+            Touched::Rail(rail) => rail.name().into(),
+        };
+        let [tip, direction, butt] = [pose.tip, pose.direction, pose.butt()].map(Vec3::to_array);
+        let clearance = clearance.map(|found| (found.distance, name(found.nearest)));
+        Some((tip, direction, butt, clearance))
+    }
+
+    /// Speed, azimuth, elevation, side, height of a cue in this pose on the ball with this id.
+    fn strike_of_pose(
+        &self,
+        py: Python<'_>,
+        tip: [f64; 3],
+        direction: [f64; 3],
+        speed: f64,
+        ball: &str,
+    ) -> PyResult<(f64, f64, f64, f64, f64)> {
+        let vector = |[x, y, z]: [f64; 3]| Vec3::new(x, y, z);
+        let pose = CuePose { tip: vector(tip), direction: vector(direction) };
+        let index = self.0.balls().iter().position(|placed| placed.id == ball);
+        let strike = index
+            .ok_or_else(|| {
+                let what = format!("there is no ball \"{ball}\"");
+                Error::input("ball", what, "give the id of a ball of the shot")
+            })
+            .and_then(|index| self.0.strike_of_pose(&pose, speed, index))
+            .map_err(|e| to_exception(py, &e))?;
+        Ok((strike.speed, strike.azimuth, strike.elevation, strike.side, strike.height))
     }
 
     #[getter]

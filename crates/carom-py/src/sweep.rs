@@ -116,8 +116,9 @@ fn with_rows<'py, T>(
             Ok((key, numbers.as_slice()?))
         })
         .collect::<PyResult<Vec<_>>>()?;
+    let noise = noise.map(|noise| noise.noise());
     let noise = match &noise {
-        Some(noise) => Some((noise.noise(), seed, noise_index.as_slice()?)),
+        Some(noise) => Some((noise, seed, noise_index.as_slice()?)),
         None => None,
     };
     Ok(answer(&SweepRows {

@@ -1,11 +1,11 @@
 //! Many shots at once.
 
-use carom::Noise;
 use carom::batch::{BatchResult, draw_strikes, draw_variant, simulate_batch, simulate_variants};
 use carom::format::Node;
-use carom::noise::{Errors, SKILLS};
+use carom::noise::{Covariance, Errors, SKILLS, Samples};
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
+use carom::{Error, Noise};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -42,7 +42,7 @@ impl Shots {
 pub fn olympiad(multiplier: f64) -> Result<Vec<f64>, JsValue> {
     let noise = Noise::olympiad(multiplier);
     noise.check().map_err(|e| to_exception(&e))?;
-    Ok(numbers(&noise).to_vec())
+    Ok(numbers(&noise))
 }
 
 /// Rejects a noise with a number out of range.
@@ -51,20 +51,64 @@ pub fn check_noise(noise: &[f64]) -> Result<(), JsValue> {
     noise_of(noise)?.check().map_err(|e| to_exception(&e))
 }
 
-/// σ of speed (m/s), azimuth, elevation (rad), side, height (m); probability and friction of a cling.
-pub(crate) fn numbers(noise: &Noise) -> [f64; 7] {
+/// The σ of speed (m/s), azimuth, elevation (rad), side, height (m), and the probability and the
+/// friction of a cling. If the noise has more, then also the error relative to the speed, the five
+/// numbers of the bias, 1 and the 25 numbers of the covariance or only 0, and five numbers for each
+/// measured error.
+pub(crate) fn numbers(noise: &Noise) -> Vec<f64> {
     let Noise { speed, azimuth, elevation, side_m, height_m, .. } = *noise;
-    let Noise { cling_probability, cling_friction, .. } = *noise;
-    [speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction]
+    let Noise { cling_probability, cling_friction, speed_relative, bias, .. } = *noise;
+    let mut all =
+        vec![speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction];
+    let Noise { covariance, samples, .. } = noise;
+    if speed_relative != 0.0 || bias != [0.0; 5] || covariance.is_some() || samples.is_some() {
+        all.push(speed_relative);
+        all.extend(bias);
+        all.push(f64::from(u8::from(covariance.is_some())));
+        all.extend(covariance.iter().flat_map(|covariance| covariance.matrix().as_flattened()));
+        all.extend(samples.iter().flat_map(|samples| samples.rows().as_flattened()));
+    }
+    all
 }
 
 /// The inverse of [`numbers`].
 pub(crate) fn noise_of(numbers: &[f64]) -> Result<Noise, JsValue> {
-    let [speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction] = *numbers
-    else {
-        return Err(js_sys::RangeError::new("noise: write seven numbers").into());
+    read_numbers(numbers).map_err(|e| to_exception(&e))
+}
+
+fn read_numbers(numbers: &[f64]) -> Result<Noise, Error> {
+    let length = || Error::input("noise", "the list has a wrong length", "use carom's `Noise`");
+    let (plain, more) = numbers.split_first_chunk::<7>().ok_or_else(length)?;
+    let [speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction] = *plain;
+    let mut noise = Noise {
+        speed,
+        azimuth,
+        elevation,
+        side_m,
+        height_m,
+        cling_probability,
+        cling_friction,
+        ..Noise::NONE
     };
-    Ok(Noise { speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction })
+    let Some((&[speed_relative, ref bias @ .., has_covariance], more)) =
+        more.split_first_chunk::<7>()
+    else {
+        return if more.is_empty() { Ok(noise) } else { Err(length()) };
+    };
+    (noise.speed_relative, noise.bias) = (speed_relative, *bias);
+    let mut rows = more;
+    if has_covariance != 0.0 {
+        let (matrix, others) = more.split_first_chunk::<25>().ok_or_else(length)?;
+        let (matrix, _) = matrix.as_chunks::<5>();
+        noise.covariance = Some(Covariance::new(core::array::from_fn(|i| matrix[i]))?);
+        rows = others;
+    }
+    match rows.as_chunks::<5>() {
+        ([], []) => {}
+        (rows, []) => noise.samples = Some(Samples::new(rows.to_vec())?),
+        _ => return Err(length()),
+    }
+    Ok(noise)
 }
 
 /// The presets of execution noise, JSON: pairs of a name and the [`numbers`]. The levels of play come
@@ -72,9 +116,10 @@ pub(crate) fn noise_of(numbers: &[f64]) -> Result<Noise, JsValue> {
 #[wasm_bindgen(js_name = noisePresets)]
 pub fn noise_presets() -> String {
     let olympiad = ("olympiad", Noise::olympiad(1.0));
-    let presets = SKILLS.into_iter().chain([olympiad]);
-    let node =
-        |(name, noise): (&str, Noise)| Node::List(vec![name.into(), Node::list(numbers(&noise))]);
+    let presets = SKILLS.iter().chain([&olympiad]);
+    let node = |(name, noise): &(&str, Noise)| {
+        Node::List(vec![(*name).into(), Node::list(numbers(noise))])
+    };
     Node::list(presets.map(node)).to_json()
 }
 

@@ -60,7 +60,7 @@ impl Thinking {
         time: Option<f64>,
     ) -> Result<Self, JsValue> {
         let noise = [noise_of(noise)?, noise_of(opponent_noise)?];
-        let perception = Perception { position: perception };
+        let perception = Perception::round(perception);
         Ok(Self { noise, perception, seed, simulations, rounds, time })
     }
 }
@@ -84,7 +84,7 @@ impl Player {
 
     /// The deviations of the strikes of a level of strength, in the order of `olympiad`.
     pub fn noise(&self) -> Option<Vec<f64>> {
-        self.0.noise().map(|noise| numbers(&noise).to_vec())
+        self.0.noise().map(|noise| numbers(&noise))
     }
 
     /// The simulated shots that the name gives.
@@ -156,12 +156,14 @@ impl Thought {
 
     /// Calls `work` with what the player knows and may spend.
     fn with_budget<T>(&self, work: impl FnOnce(&Situation<'_>, &Budget<'_>) -> T) -> T {
-        let Thinking { noise, perception, seed, simulations, rounds, .. } = self.thinking;
-        let situation = Situation { frame: &self.frame, noise, perception, seed };
+        let Thinking { noise, perception, seed, simulations, rounds, .. } = &self.thinking;
+        let (noise, perception) = (noise.clone(), perception.clone());
+        let situation = Situation { frame: &self.frame, noise, perception, seed: *seed };
         let is_over = |_: Spent| {
             self.limit.as_ref().is_some_and(|limit| limit.is_over((now() - self.began) / 1e3))
         };
-        let budget = Budget { rounds, is_over: &is_over, ..Budget::simulations(simulations) };
+        let budget =
+            Budget { rounds: *rounds, is_over: &is_over, ..Budget::simulations(*simulations) };
         work(&situation, &budget)
     }
 

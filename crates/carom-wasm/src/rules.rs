@@ -138,8 +138,8 @@ impl Frame {
         errors: Option<(Noise, ErrorSeeds)>,
     ) -> Result<PlayResult, Error> {
         let meant = self.play_of(arguments)?;
-        let play = match errors {
-            Some((noise, seeds)) => self.0.draw_play(&meant, &noise, seeds)?,
+        let play = match &errors {
+            Some((noise, seeds)) => self.0.draw_play(&meant, noise, *seeds)?,
             None => meant,
         };
         let trace = self.0.shot(&play)?.simulate()?;

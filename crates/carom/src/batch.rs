@@ -97,7 +97,7 @@ pub fn simulate_variants(
     Ok(run(strikes.len(), shot.balls.len(), runner, |k| {
         let strike = Some((struck, strikes[k]));
         let variant = errors.shot(shot, strike, first.wrapping_add(k as u64))?;
-        if errors.perception.position == 0.0 {
+        if errors.perception.is_exact() {
             variant.resolve_strike(&strikes[k])?;
         }
         Ok((variant, strike))

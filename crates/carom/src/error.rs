@@ -64,6 +64,18 @@ impl Error {
         self
     }
 
+    /// The same error with its place inside `to`, if it is inside `from`: `noise.bias[2]` becomes
+    /// `match.noise[1].bias[2]`.
+    pub fn moved(mut self, from: &str, to: &str) -> Self {
+        if let Self::Input(e) = &mut self
+            && let Some(rest) = e.place.strip_prefix(from)
+        {
+            let rest = if to.is_empty() { rest.trim_start_matches('.') } else { rest };
+            e.place = alloc::format!("{to}{rest}");
+        }
+        self
+    }
+
     /// The same error with its place in a file: `shot.json: balls[3].position`.
     pub fn in_file(mut self, file: &str) -> Self {
         if let Self::Input(e) = &mut self {

@@ -3,7 +3,11 @@
 //!
 //! Every parameter of the strike has a Gaussian error of its own, independent of the others, as in
 //! the Computational Olympiad (Archibald, Altman & Shoham, *Analysis of a winning computational
-//! billiards player*, 2009).
+//! billiards player*, 2009). A measured player or robot may have more: an error of the speed in
+//! proportion to it, errors that depend on each other (a covariance), a systematic error (a bias), or
+//! a list of measured errors instead of a normal law. The Gaussian parts add up: the error is normal,
+//! with the bias as its mean and the sum of the variances and the covariance as its covariance
+//! matrix C. With L the Cholesky factor of C and z five independent deviates, it is bias + Lz.
 //!
 //! # Random numbers
 //!
@@ -24,7 +28,7 @@
 //! - A speed below [`SLOWEST`] becomes that speed, and one above 50 m/s becomes 50 m/s.
 //! - An elevation below 0 becomes 0, since a cue never points upwards, and one above [`STEEPEST`]
 //!   becomes that angle.
-//! - A parameter whose σ is 0 stays exactly as intended.
+//! - A parameter without an error stays exactly as intended.
 //!
 //! So every intended strike has a result, the results stay continuous in the strike, and every shot
 //! takes the same number of random numbers. Drawing again would have neither of the last two
@@ -36,25 +40,31 @@
 //! Some strikes still fail: an offset that is too large for the tip's efficiency, a cue that would
 //! pass through a ball or a rail if the shot refuses that, and a shot that reaches its cap on events.
 
+mod covariance;
+mod file;
+mod perception;
+mod samples;
+
 use alloc::borrow::Cow;
-use alloc::vec::Vec;
 use core::f64::consts::{PI, TAU};
 
 use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
 
+use crate::Ball;
 use crate::error::Error;
 use crate::math::{log, radians, sin_cos, sqrt};
 use crate::physics::ball_surface::CHALKED;
 use crate::range::Range;
 use crate::resolve::cue_ball::{Strike, miscue_limit};
-use crate::shot::{self, Cling, MOST_CONTACTS, PlacedBall, Shot};
-use crate::{Ball, Table};
+use crate::shot::{self, Cling, MOST_CONTACTS, Shot};
+
+pub use covariance::Covariance;
+pub use perception::{Perception, PositionError};
+pub use samples::Samples;
 
 /// Part of the generator's key that separates these random numbers from others of the same seed.
 const STRIKE_KEY: &[u8; 24] = b"carom: noise of a strike";
-/// The same for perception.
-const PERCEPTION_KEY: &[u8; 24] = b"carom: sight of a layout";
 /// The same for contacts that cling.
 const CLING_KEY: &[u8; 24] = b"carom: cling of contacts";
 
@@ -69,8 +79,10 @@ const PROBABILITY: Range = Range::closed(0.0, 1.0, "");
 /// Coefficient of friction of a contact that clings: at most 10. With 1 a contact sticks at any angle
 /// that players use.
 const FRICTION: Range = Range::closed(0.0, 10.0, "");
-/// σ of a perceived position: at most about two balls' diameters.
-const POSITION: Range = Range::closed(0.0, 0.1, " m");
+/// Error of the cue's speed as a share of the intended speed: a third of it is a beginner's.
+const SHARE: Range = Range::closed(0.0, 1.0, "");
+/// The ranges of σ in the order of a covariance: speed, azimuth, elevation, side, height.
+const RANGES: [Range; 5] = [SPEED, ANGLE, ANGLE, OFFSET, OFFSET];
 
 /// Largest tip offset of a drawn strike, as a fraction of the largest with which a strike can be
 /// played. Closer to 1, rounding could make a miscue of it; with less, strikes that can be played
@@ -92,7 +104,7 @@ pub const STEEPEST: f64 = radians(89.0);
 /// sports*, 2021; Haar, van Assel & Faisal, *Motor learning in real-world pool billiards*, 2020),
 /// but we found none that measures the σ of the cue's motion. The σ of the direction about halves
 /// from level to level, around the Olympiad's 0.125°; docs/evaluate.md shows its effect on shots.
-pub const SKILLS: [(&str, Noise); 5] = [
+pub static SKILLS: [(&str, Noise); 5] = [
     ("beginner", skill(0.40, 0.60, 2.0, 3.0)),
     ("casual", skill(0.25, 0.30, 1.5, 2.0)),
     ("club", skill(0.15, 0.15, 1.0, 1.2)),
@@ -112,10 +124,10 @@ const fn skill(speed: f64, azimuth: f64, elevation: f64, offset: f64) -> Noise {
     }
 }
 
-/// Standard deviations of a strike's errors, and how often two balls cling.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Errors of a strike, and how often two balls cling.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Noise {
-    /// Of the cue's speed, m/s; 0 to 15.
+    /// Standard deviation of the cue's speed, m/s; 0 to 15.
     pub speed: f64,
     /// Of the cue's direction, rad; 0 to π.
     pub azimuth: f64,
@@ -132,6 +144,16 @@ pub struct Noise {
     /// The coefficient of friction of a contact that clings, at every slip speed;
     /// [`CHALKED`] in every preset.
     pub cling_friction: f64,
+    /// Standard deviation of a further error of the cue's speed, as a share of the intended speed; 0
+    /// to 1.
+    pub speed_relative: f64,
+    /// Covariance of further errors, which depend on each other.
+    pub covariance: Option<Covariance>,
+    /// Mean of the error, executed minus intended: speed (m/s), azimuth (rad), elevation (rad), side
+    /// (m), height (m).
+    pub bias: [f64; 5],
+    /// Measured errors in place of σ and covariance.
+    pub samples: Option<Samples>,
 }
 
 impl Default for Noise {
@@ -150,39 +172,60 @@ impl Noise {
         height_m: 0.0,
         cling_probability: 0.0,
         cling_friction: CHALKED,
+        speed_relative: 0.0,
+        covariance: None,
+        bias: [0.0; 5],
+        samples: None,
     };
 
     /// The Computational Olympiad's noise times `multiplier`; its tournaments were played at 0.5, 1
     /// and 2. σ: offsets 0.5 mm each, elevation 0.1°, azimuth 0.125°, speed 0.075 m/s.
     pub const fn olympiad(multiplier: f64) -> Self {
         Self {
-            speed: 0.075,
-            azimuth: radians(0.125),
-            elevation: radians(0.1),
-            side_m: 0.000_5,
-            height_m: 0.000_5,
+            speed: 0.075 * multiplier,
+            azimuth: radians(0.125) * multiplier,
+            elevation: radians(0.1) * multiplier,
+            side_m: 0.000_5 * multiplier,
+            height_m: 0.000_5 * multiplier,
             ..Self::NONE
         }
-        .scaled(multiplier)
     }
 
-    /// The preset of that name: one of [`SKILLS`], or `olympiad`.
-    pub fn preset(name: &str) -> Option<Self> {
-        let skill = SKILLS.iter().find(|skill| skill.0 == name).map(|skill| skill.1);
-        skill.or_else(|| (name == "olympiad").then(|| Self::olympiad(1.0)))
-    }
-
-    /// This noise with every σ multiplied by `multiplier`. The cling stays,
-    /// because it does not depend on the player.
+    /// Independent Gaussian errors, those of this noise times `multiplier`, and no others: for
+    /// constants, where [`Self::scaled`] cannot be used.
     #[must_use]
-    pub const fn scaled(self, multiplier: f64) -> Self {
+    pub const fn independent(&self, multiplier: f64) -> Self {
         Self {
             speed: self.speed * multiplier,
             azimuth: self.azimuth * multiplier,
             elevation: self.elevation * multiplier,
             side_m: self.side_m * multiplier,
             height_m: self.height_m * multiplier,
-            ..self
+            ..Self::NONE
+        }
+    }
+
+    /// The preset of that name: one of [`SKILLS`], or `olympiad`.
+    pub fn preset(name: &str) -> Option<Self> {
+        let skill = SKILLS.iter().find(|skill| skill.0 == name).map(|skill| skill.1.clone());
+        skill.or_else(|| (name == "olympiad").then(|| Self::olympiad(1.0)))
+    }
+
+    /// This noise with every error multiplied by `multiplier`. The cling stays, because it does not
+    /// depend on the player.
+    #[must_use]
+    pub fn scaled(&self, multiplier: f64) -> Self {
+        Self {
+            speed: self.speed * multiplier,
+            azimuth: self.azimuth * multiplier,
+            elevation: self.elevation * multiplier,
+            side_m: self.side_m * multiplier,
+            height_m: self.height_m * multiplier,
+            speed_relative: self.speed_relative * multiplier,
+            covariance: self.covariance.as_ref().map(|covariance| covariance.scaled(multiplier)),
+            bias: self.bias.map(|mean| mean * multiplier),
+            samples: self.samples.as_ref().map(|samples| samples.scaled(multiplier)),
+            ..*self
         }
     }
 
@@ -200,16 +243,104 @@ impl Noise {
             ("height_m", self.height_m, OFFSET),
             ("cling_probability", self.cling_probability, PROBABILITY),
             ("cling_friction", self.cling_friction, FRICTION),
+            ("speed_relative", self.speed_relative, SHARE),
         ] {
             range.check(|| alloc::format!("noise.{key}"), value)?;
         }
+        for (k, mean) in self.bias.iter().enumerate() {
+            RANGES[k].either_sign().check(|| alloc::format!("noise.bias[{k}]"), *mean)?;
+        }
+        let is_gaussian = self.covariance.is_some() || self.speed_relative != 0.0;
+        if self.samples.is_some() && (is_gaussian || self.sigmas() != [0.0; 5]) {
+            let what = "measured errors stand beside standard deviations or a covariance";
+            let remedy = "write one of them; measured errors already have their spread";
+            return Err(Error::input("noise.samples", what, remedy));
+        }
         Ok(())
+    }
+
+    /// The independent σ of speed (m/s), azimuth, elevation (rad), side and height (m).
+    const fn sigmas(&self) -> [f64; 5] {
+        [self.speed, self.azimuth, self.elevation, self.side_m, self.height_m]
+    }
+
+    /// Whether all errors are independent, of mean 0, and the same at every speed.
+    fn is_independent(&self) -> bool {
+        self.speed_relative == 0.0
+            && self.covariance.is_none()
+            && self.bias == [0.0; 5]
+            && self.samples.is_none()
+    }
+
+    /// Which parameters have an error: speed, azimuth, elevation, side, height.
+    fn has_error(&self) -> [bool; 5] {
+        let sigmas = self.sigmas();
+        if self.is_independent() {
+            return sigmas.map(|sigma| sigma != 0.0);
+        }
+        core::array::from_fn(|k| {
+            sigmas[k] != 0.0
+                || self.bias[k] != 0.0
+                || (k == 0 && self.speed_relative != 0.0)
+                || self.covariance.as_ref().is_some_and(|c| c.matrix()[k][k] != 0.0)
+                || self.samples.as_ref().is_some_and(|samples| samples.has_error()[k])
+        })
+    }
+
+    /// The mean error: speed (m/s), azimuth (rad), elevation (rad), side (m), height (m).
+    pub fn mean(&self) -> [f64; 5] {
+        let Some(samples) = &self.samples else { return self.bias };
+        core::array::from_fn(|k| self.bias[k] + samples.mean()[k])
+    }
+
+    /// The covariance matrix of the errors at an intended `speed` (m/s), in the order and the units of
+    /// [`Self::mean`].
+    pub fn covariance_at(&self, speed: f64) -> [[f64; 5]; 5] {
+        if let Some(samples) = &self.samples {
+            return *samples.covariance();
+        }
+        let mut matrix = self.covariance.as_ref().map_or([[0.0; 5]; 5], |c| *c.matrix());
+        for (k, sigma) in self.sigmas().into_iter().enumerate() {
+            matrix[k][k] += sigma * sigma;
+        }
+        let relative = self.speed_relative * speed;
+        matrix[0][0] += relative * relative;
+        matrix
+    }
+
+    /// The standard deviations of the errors at an intended `speed` (m/s), in the order and the units
+    /// of [`Self::mean`].
+    pub fn deviations(&self, speed: f64) -> [f64; 5] {
+        if self.is_independent() {
+            return self.sigmas();
+        }
+        let matrix = self.covariance_at(speed);
+        core::array::from_fn(|k| sqrt(matrix[k][k]))
+    }
+
+    /// This noise without its mean error: that of a player who knows it and allows for it
+    /// ([`Self::aim_for`]).
+    #[must_use]
+    pub fn centered(&self) -> Self {
+        let mean = self.samples.as_ref().map_or([0.0; 5], |samples| *samples.mean());
+        // 0 − 0 is 0 and never −0, which would be another noise.
+        Self { bias: mean.map(|mean| 0.0 - mean), ..self.clone() }
+    }
+
+    /// The strike to intend, so that `executed` is its mean execution.
+    pub fn aim_for(&self, executed: &Strike, struck: &StruckBall) -> Strike {
+        let mean = self.mean();
+        if mean == [0.0; 5] {
+            return *executed;
+        }
+        let back = in_radii(mean.map(|mean| -mean), struck.radius);
+        self.nearest_playable(added(executed, &back), struck)
     }
 
     /// Variant `index` of the strike `meant`: a strike that can be played, if `meant` can (see the
     /// module's page).
     pub fn draw(&self, meant: &Strike, struck: &StruckBall, seed: u64, index: u64) -> Strike {
-        if [self.speed, self.azimuth, self.elevation, self.side_m, self.height_m] == [0.0; 5] {
+        if self.is_independent() && self.sigmas() == [0.0; 5] {
             return *meant;
         }
         let [speed, azimuth, elevation, side, height, _] = normal_deviates(seed, index);
@@ -217,33 +348,35 @@ impl Noise {
     }
 
     /// The strike `meant` with these errors: deviates of mean 0 and variance 1 of the speed, the azimuth,
-    /// the elevation, the side and the height. A strike that can be played, if `meant` can.
+    /// the elevation, the side and the height. A strike that can be played, if `meant` can. Under a
+    /// covariance each deviate also moves the parameters after its own; of measured errors the first
+    /// deviate chooses one.
     pub fn apply(&self, meant: &Strike, struck: &StruckBall, deviates: [f64; 5]) -> Strike {
-        let [speed, azimuth, elevation, side, height] = deviates;
-        // Adding 0 would change the sign of −0.
-        let add = |meant: f64, sigma: f64, deviate: f64| {
-            if sigma == 0.0 { meant } else { meant + sigma * deviate }
+        let bias = in_radii(self.bias, struck.radius);
+        let error = if let Some(samples) = &self.samples {
+            in_radii(samples.at(deviates[0]), struck.radius)
+        } else if self.covariance.is_some() {
+            let matrix = self.covariance_at(meant.speed);
+            in_radii(covariance::correlated(&matrix, &deviates), struck.radius)
+        } else {
+            let scale = in_radii(self.deviations(meant.speed), struck.radius);
+            core::array::from_fn(|k| scale[k] * deviates[k])
         };
-        let drawn = Strike {
-            speed: add(meant.speed, self.speed, speed),
-            azimuth: add(meant.azimuth, self.azimuth, azimuth),
-            elevation: add(meant.elevation, self.elevation, elevation),
-            side: add(meant.side, self.side_m / struck.radius, side),
-            height: add(meant.height, self.height_m / struck.radius, height),
-        };
-        self.nearest_playable(drawn, struck)
+        let error = core::array::from_fn(|k| bias[k] + error[k]);
+        self.nearest_playable(added(meant, &error), struck)
     }
 
     /// The strike nearest to `drawn` that can be played. A parameter without errors is left alone.
     fn nearest_playable(&self, drawn: Strike, struck: &StruckBall) -> Strike {
+        let [speed, _, elevation, side, height] = self.has_error();
         let mut strike = drawn;
-        if self.speed != 0.0 {
+        if speed {
             strike.speed = drawn.speed.clamp(SLOWEST, shot::FASTEST);
         }
-        if self.elevation != 0.0 {
+        if elevation {
             strike.elevation = drawn.elevation.clamp(0.0, STEEPEST);
         }
-        if self.side_m != 0.0 || self.height_m != 0.0 {
+        if side || height {
             let most = struck.largest_offset;
             // Exactly 1, which changes no bit, up to the largest offset. `min` also turns the NaN of
             // a centred strike with a tip without friction into 1.
@@ -295,8 +428,26 @@ impl StruckBall {
     }
 }
 
+/// An error with the offsets in ball radii, as a strike has them, from one in metres.
+fn in_radii([speed, azimuth, elevation, side, height]: [f64; 5], radius: f64) -> [f64; 5] {
+    [speed, azimuth, elevation, side / radius, height / radius]
+}
+
+/// `meant` with an error of speed, azimuth, elevation, side and height.
+fn added(meant: &Strike, error: &[f64; 5]) -> Strike {
+    // Adding 0 would change the sign of −0.
+    let add = |meant: f64, error: f64| if error == 0.0 { meant } else { meant + error };
+    Strike {
+        speed: add(meant.speed, error[0]),
+        azimuth: add(meant.azimuth, error[1]),
+        elevation: add(meant.elevation, error[2]),
+        side: add(meant.side, error[3]),
+        height: add(meant.height, error[4]),
+    }
+}
+
 /// The errors of a player, and the seed of their random numbers.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Errors {
     /// Errors of the strike, and the contacts that cling.
     pub noise: Noise,
@@ -318,7 +469,7 @@ impl Errors {
 
     /// Whether the variants of a shot differ in their strikes alone.
     pub fn are_of_the_strike(&self) -> bool {
-        self.perception.position == 0.0 && self.noise.cling_probability == 0.0
+        self.perception.is_exact() && self.noise.cling_probability == 0.0
     }
 
     /// `shot` in variant `index`, with this strike: the balls where they truly lie, and the contacts
@@ -333,7 +484,7 @@ impl Errors {
         index: u64,
     ) -> Result<Cow<'a, Shot>, Error> {
         let clung = self.noise.with_cling(shot, self.seed, index);
-        if self.perception.position == 0.0 {
+        if self.perception.is_exact() {
             return Ok(clung);
         }
         let places = self.perception.places(shot, self.seed, index);
@@ -349,65 +500,8 @@ impl Errors {
             _ => self.noise.draw_cling(self.seed, index),
         };
         let balls = variant.become_variant(shot, cling);
-        if self.perception.position != 0.0 {
+        if !self.perception.is_exact() {
             self.perception.displace(balls, shot.table(), self.seed, index);
-        }
-    }
-}
-
-/// Standard deviation of true minus perceived position: independent Gaussian errors of x and y.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Perception {
-    /// Of each coordinate of each ball, m; 0 to 0.1.
-    pub position: f64,
-}
-
-/// The most errors that are tried for a ball, each half as large as the one before, until one
-/// leaves room for the ball. If none does, the ball keeps its position.
-const MAX_TRIES: u32 = 8;
-
-impl Perception {
-    /// Rejects a standard deviation out of its range.
-    ///
-    /// # Errors
-    /// [`Error::Input`] for a σ that is negative, not finite, or larger than 0.1 m.
-    pub fn check(&self) -> Result<(), Error> {
-        POSITION.check(|| "perception.position".into(), self.position)
-    }
-
-    /// Layout `index` of this seed: `shot` with the balls of [`Self::places`].
-    ///
-    /// # Errors
-    /// As [`Self::check`], and as [`Shot::with_layout`] for a strike that cannot be played there.
-    pub fn draw(&self, shot: &Shot, seed: u64, index: u64) -> Result<Shot, Error> {
-        self.check()?;
-        shot.with_layout(self.places(shot, seed, index))
-    }
-
-    /// The balls of `shot` with their positions in layout `index` of this seed. The balls are moved
-    /// in the order of the shot. A ball that would overlap another or leave the table gets a
-    /// smaller error.
-    pub fn places(&self, shot: &Shot, seed: u64, index: u64) -> Vec<PlacedBall> {
-        let mut balls = shot.balls().to_vec();
-        self.displace(&mut balls, shot.table(), seed, index);
-        balls
-    }
-
-    /// Moves `balls`, which have room on `table`, to their positions in layout `index` of this seed.
-    fn displace(&self, balls: &mut [PlacedBall], table: &Table, seed: u64, index: u64) {
-        let mut random = random(PERCEPTION_KEY, seed, index);
-        for i in 0..balls.len() {
-            let mut error = normal_pair(&mut random).map(|deviate| self.position * deviate);
-            let own = balls[i].state.position;
-            for _ in 0..MAX_TRIES {
-                balls[i].state.position.x = own.x + error[0];
-                balls[i].state.position.y = own.y + error[1];
-                if shot::fits(i, balls, table) {
-                    break;
-                }
-                balls[i].state.position = own;
-                error = error.map(|x| 0.5 * x);
-            }
         }
     }
 }

@@ -50,6 +50,15 @@ impl Range {
         Self::closed(0.0, LARGEST, unit)
     }
 
+    /// [−high, high], for an error whose σ is in this range.
+    pub(crate) const fn either_sign(self) -> Self {
+        Self { low: -self.high, ..self }
+    }
+    /// [0, high²], for a variance whose σ is in this range; its unit is left out.
+    pub(crate) const fn squared(self) -> Self {
+        Self { high: self.high * self.high, unit: "", ..self }
+    }
+
     /// Whether `x` is in the range.
     #[inline]
     pub(crate) fn contains(&self, x: f64) -> bool {

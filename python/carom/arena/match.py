@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, replace
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
@@ -126,9 +126,9 @@ def play_match(
         "table": table.description if isinstance(table, Table) else table,
         "physics": physics.description if isinstance(physics, Physics) else physics,
         "max_events": whole("max_events", max_events, 1 << 32, low=1),
-        "noise": [asdict(each) for each in _noises(names, noise)],
+        "noise": [each.to_dict() for each in _noises(names, noise)],
         "perception": [
-            asdict(perception_or_none(each)) for each in _each("perception", perception)
+            perception_or_none(each).to_dict() for each in _each("perception", perception)
         ],
         "clock": clocks,
         "breaker": breaker,

@@ -9,6 +9,7 @@ import typer
 
 import carom
 from carom.cli.output import emit, file_name, read_bytes, say
+from carom.convert._fastfiz import LOG_WORDS
 from carom.errors import InputError
 from carom.files import refuse_other_encoding
 
@@ -36,15 +37,22 @@ def import_(
             "m/s.",
         ),
     ] = None,
+    index: Annotated[
+        int | None, typer.Option(min=0, help="Which state of a FastFiz log, from 0.")
+    ] = None,
+    tolerance: Annotated[
+        float,
+        typer.Option(metavar="M", help="Largest overlap of balls and cushions that is removed, m."),
+    ] = 1e-4,
 ) -> None:
-    """Print a pooltool system or a FastFiz table state as a shot file.
+    """Print a pooltool system, a FastFiz table state or a state of its log as a shot file.
 
     Messages on stderr name what the shot file cannot hold.
     """
     data = read_bytes(file)
     refuse_other_encoding(data, file_name(file))
     try:
-        made = _convert(data, format_, strike)
+        made = _convert(data, format_, strike, (index, tolerance))
     except InputError as error:
         # The converters have only the bytes of the file.
         text = str(error)
@@ -56,15 +64,43 @@ def import_(
     emit(made.shot.to_json())
 
 
-def _convert(data: bytes, format_: Format | None, strike: str | None) -> carom.convert.Converted:
+def _convert(
+    data: bytes,
+    format_: Format | None,
+    strike: str | None,
+    options: tuple[int | None, float],
+) -> carom.convert.Converted:
+    index, tolerance = options
     if format_ is None:
-        # A table state begins with its number of balls; a system with a brace, or it is not text.
-        format_ = Format.FASTFIZ if data.lstrip()[:1].isdigit() else Format.POOLTOOL
+        format_ = _recognised(data)
     if format_ is Format.POOLTOOL:
         if strike is not None:
             raise InputError("--strike: a pooltool system has its own strike; leave the option out")
-        return carom.convert.pooltool(data)
-    return carom.convert.fastfiz(_text(data), None if strike is None else _numbers(strike))
+        if index is not None:
+            raise InputError("--index: a pooltool file has one system; leave the option out")
+        return carom.convert.pooltool(data, tolerance=tolerance)
+    given = None if strike is None else _numbers(strike)
+    return carom.convert.fastfiz(_text(data), given, index=index or 0, tolerance=tolerance)
+
+
+def _recognised(data: bytes) -> Format:
+    """The engine that wrote the file.
+
+    Raises:
+        InputError: It is none that carom knows.
+    """
+    start = data.lstrip(b"\xef\xbb\xbf \t\r\n")[:64]
+    # A table state begins with its number of balls, a line of a log with a word in capitals.
+    word = start.split(maxsplit=1)[:1]
+    if start[:1].isdigit() or (word and word[0].decode("latin-1") in LOG_WORDS):
+        return Format.FASTFIZ
+    # JSON, or MessagePack, whose first byte is that of a map.
+    if start[:1] in (b"{", b"[", b"\xde", b"\xdf") or b"\x80" <= start[:1] <= b"\x8f":
+        return Format.POOLTOOL
+    raise InputError(
+        "the file is not one that carom imports; give a system that pooltool saved, or a table "
+        "state or a log of FastFiz (docs/import.md)"
+    )
 
 
 def _text(data: bytes) -> str:

@@ -11,9 +11,9 @@ from typing import Annotated, TypeVar
 import typer
 
 import carom
-from carom import Call, Noise, Perception, Play, Strike
+from carom import Call, Perception, Play, Strike
 from carom.batch import own_strike
-from carom.cli.options import Json, Level
+from carom.cli.options import Json, Level, named_noise
 from carom.cli.output import emit, read, say
 from carom.errors import InputError
 
@@ -38,8 +38,8 @@ def match(
         typer.Option(
             metavar="NAME[,NAME]",
             help="Noise of both players, or of each: beginner, casual, club, advanced, "
-            "professional or olympiad; a multiplier may follow, as in olympiad:0.5. Default: that "
-            "of a level, else olympiad.",
+            "professional or olympiad; a multiplier may follow, as in olympiad:0.5; or a file "
+            "NAME.json with the keys of a noise. Default: that of a level, else olympiad.",
         ),
     ] = None,
     perception: Annotated[
@@ -131,7 +131,7 @@ def match(
             out=out,
             game=game,
             pairs=pairs,
-            noise=None if noise is None else _each("noise", noise, Noise.preset),
+            noise=None if noise is None else _each("noise", noise, named_noise),
             perception=_each("perception", perception, _perception),
             table=table,
             simulations=_numbers("simulations", simulations, int),

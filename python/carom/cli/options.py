@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from json import loads
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from carom import Noise
-from carom.files import write_whole
+from carom.errors import InputError
+from carom.files import read_text, shown, write_whole
 from carom.lazy import LazyModule
 
 if TYPE_CHECKING:
@@ -29,7 +31,8 @@ NoiseName = Annotated[
         "--noise",
         metavar="NAME",
         help="beginner, casual, club, advanced, professional or olympiad; "
-        "a multiplier may follow, as in olympiad:0.5.",
+        "a multiplier may follow, as in olympiad:0.5. Or a file NAME.json with the keys of a "
+        "noise.",
     ),
 ]
 Cling = Annotated[
@@ -70,9 +73,25 @@ def draw(figure: Callable[[], Figure], *, svg: Path | None, png: Path | None) ->
         write_whole(png, picture_output.to_png(figure()))
 
 
+def named_noise(name: str) -> Noise:
+    """The preset of this name, or the noise of this file.
+
+    Raises:
+        InputError: There is no such preset, or the file has no noise.
+    """
+    if not name.endswith(".json"):
+        return Noise.preset(name)
+    text = read_text(name)
+    try:
+        return Noise.from_dict(loads(text))
+    except ValueError as error:
+        raise InputError(f"{shown(name)}: {error}") from None
+
+
 def noise_of(name: str, cling: float) -> Noise:
-    """The preset of this name, with this probability of a cling."""
-    return replace(Noise.preset(name), cling_probability=cling)
+    """The noise of this name; a probability of a cling above 0 replaces its own."""
+    noise = named_noise(name)
+    return replace(noise, cling_probability=cling) if cling else noise
 
 
 def title_of(file: str) -> str:

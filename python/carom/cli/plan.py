@@ -146,10 +146,26 @@ def solve(
         str, typer.Option(metavar="LEAST:MOST", help="Least and greatest speed of the cue, m/s.")
     ] = "0.5:7",
     elevation_deg: Annotated[
-        float | None,
+        str | None,
         typer.Option(
-            metavar="DEGREES",
-            help="Largest elevation of the cue for jumps and massés; default: none are tried.",
+            metavar="[LEAST:]MOST",
+            help="Largest elevation of the cue for jumps and massés, degrees; default: none are "
+            "tried. With the least elevation, both are limits of every strike.",
+        ),
+    ] = None,
+    azimuth_deg: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FIRST:LAST",
+            help="Azimuths to which the cue can turn, counter-clockwise, degrees: 350:10 is a "
+            "range of 20.",
+        ),
+    ] = None,
+    butt: Annotated[
+        str | None,
+        typer.Option(
+            metavar="X,Y,X,Y",
+            help="Two corners of the rectangle in which the end of the butt must be, m.",
         ),
     ] = None,
     samples: Annotated[
@@ -180,7 +196,9 @@ def solve(
         n=n,
         precision=precision,
         speed=(least, most),
-        elevation=None if elevation_deg is None else math.radians(elevation_deg),
+        elevation=None if elevation_deg is None else _elevation(elevation_deg),
+        azimuth=None if azimuth_deg is None else _azimuth(azimuth_deg),
+        butt=None if butt is None else _corners(butt),
         samples=samples,
         seed=seed,
         level=level,
@@ -197,6 +215,24 @@ def solve(
         emit(js.dumps([solution.to_dict() for solution in found]))
     else:
         emit("\n".join(map(str, found)) or "no strike was found")
+
+
+def _elevation(text: str) -> float | tuple[float, float]:
+    if ":" not in text:
+        (most,) = numbers("elevation-deg", text, ":", "[LEAST:]MOST", 1)
+        return math.radians(most)
+    least, most = numbers("elevation-deg", text, ":", "[LEAST:]MOST", 2)
+    return math.radians(least), math.radians(most)
+
+
+def _azimuth(text: str) -> tuple[float, float]:
+    first, last = numbers("azimuth-deg", text, ":", "FIRST:LAST", 2)
+    return math.radians(first), math.radians(last)
+
+
+def _corners(text: str) -> tuple[tuple[float, float], tuple[float, float]]:
+    a, b, c, d = numbers("butt", text, ",", "X,Y,X,Y", 4)
+    return (a, b), (c, d)
 
 
 maps = typer.Typer(

@@ -17,6 +17,7 @@ from carom.cli.options import (
     Sight,
     Svg,
     draw,
+    named_noise,
     noise_of,
     title_of,
 )
@@ -99,10 +100,10 @@ def think(
     round; the result so far is printed.
     """
     frame = _frame(read(file), file_name(file), game)
-    usual = Player(player).noise if noise is None else Noise.preset(noise)
+    usual = Player(player).noise if noise is None else named_noise(noise)
     thinker = Player(
         player,
-        noise=replace(usual, cling_probability=cling),
+        noise=replace(usual, cling_probability=cling) if cling else usual,
         perception=Perception(perception),
         simulations=simulations,
         time=time,

@@ -1,4 +1,4 @@
-"""FastFiz table states, as ``TableState::toString`` writes them, and ``ShotParams``."""
+"""FastFiz table states, as ``TableState::toString`` writes them, ``ShotParams``, and its logs."""
 
 from __future__ import annotations
 
@@ -6,11 +6,10 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from carom.arguments import numbers
+from carom.arguments import numbers, whole
 from carom.arguments import text as checked
-from carom.convert._made import Converted
+from carom.convert._made import TOLERANCE, Converted, made
 from carom.errors import InputError
-from carom.shot import Shot
 
 # Values of Ball::State in FastFiz.h.
 _NOT_IN_PLAY, _STATIONARY = 0, 1
@@ -26,20 +25,51 @@ _STATES, _TYPES = 11, 16
 _FIELDS = 5
 
 
-def fastfiz(text: str, strike: Sequence[float] | None = None) -> Converted:
-    """Convert a FastFiz table state to a shot on the table ``poolfiz``.
+# Words of a log line before its table state: none, or the game's type, the type of the turn, both
+# times, and whether the player began.
+_STATE_LINES = {"TSTATE": 0, "STATE": 5}
+# The shot of a log line is its first five numbers. Those of a SHOT are the executed ones.
+_SHOT_LINES = ("TSHOT", "SHOT")
+_OTHER_LINES = ("COMMENT", "GTYPE")
+LOG_WORDS = (*_STATE_LINES, *_SHOT_LINES, *_OTHER_LINES)
+
+
+def fastfiz(
+    text: str,
+    strike: Sequence[float] | None = None,
+    *,
+    index: int = 0,
+    tolerance: float = TOLERANCE,
+) -> Converted:
+    """Convert a FastFiz table state, or a state of its log, to a shot on the table ``poolfiz``.
 
     Args:
         text: The output of ``TableState::toString``: the number of balls, then for each ball its
-            radius (m), state, type and position x, y (m, from the south-west corner).
-        strike: FastFiz's ``ShotParams`` a, b (mm), theta, phi (degrees), v (m/s), which are not in
-            the state; None gives a shot without a strike.
+            radius (m), state, type and position x, y (m, from the south-west corner). Or a log of
+            ``LogWriter``: lines that begin with TSTATE or STATE, each followed by its TSHOT or
+            SHOT.
+        strike: FastFiz's ``ShotParams`` a, b (mm), theta, phi (degrees), v (m/s), for a state
+            without a shot; None gives a shot without a strike.
+        index: Which state of a log, from 0.
+        tolerance: Largest overlap of balls and cushions that is removed (``Layout.repaired``), m;
+            ``left_out`` lists the balls that moved.
 
     Raises:
-        InputError: The text is not a table state, or the engine rejects the shot.
+        InputError: The text is not a table state or a log, or the engine rejects the shot.
     """
-    balls, notes = _balls(checked("text", text).split())
+    lines = checked("text", text)
+    notes: list[str] = []
+    words, logged = lines.split(), None
+    if lines.split(maxsplit=1)[:1] and lines.split(maxsplit=1)[0] in LOG_WORDS:
+        words, logged = _of_log(lines, whole("index", index), notes)
+    elif index:
+        raise InputError(f"index: {index} is out of range; a table state has only 0")
+    if logged is not None and strike is not None:
+        raise InputError("strike: the log has a shot for this state; leave it out")
+    strike = logged if strike is None else strike
+    balls, more = _balls(words)
     file: dict[str, Any] = {"format": "carom-shot/1", "table": "poolfiz", "balls": balls}
+    notes += more
     notes.append("A table state does not name its table; FastFiz's default table was assumed.")
     notes.append(
         "Positions are FastFiz's, which has the head string at the top; the table poolfiz has it "
@@ -52,7 +82,43 @@ def fastfiz(text: str, strike: Sequence[float] | None = None) -> Converted:
         if radius is None:
             raise InputError("strike: the table state has no cue ball in play; leave it out")
         file["strike"] = _strike(strike, radius)
-    return Converted(Shot.from_dict(file), notes)
+    return made(file, notes, tolerance)
+
+
+def _of_log(text: str, index: int, notes: list[str]) -> tuple[list[str], list[float] | None]:
+    """The table state and the shot of a log, in words and numbers.
+
+    Raises:
+        InputError: A line is not FastFiz's, or there is no such state.
+    """
+    states: list[list[str]] = []
+    shots: dict[int, list[float]] = {}
+    noisy: set[int] = set()
+    for n, line in enumerate(text.splitlines(), 1):
+        kind, _, rest = line.strip().partition(" ")
+        words = rest.split()
+        if kind in _STATE_LINES:
+            before = _STATE_LINES[kind]
+            count = _number(words, before, f"line {n}: the number of balls")
+            # After the table state a game has words of its own.
+            states.append(words[before : before + 1 + _FIELDS * max(0, int(count))])
+        elif kind in _SHOT_LINES and states:
+            place = f"line {n}: the shot"
+            shots[len(states) - 1] = [_number(words, k, place) for k in range(_FIELDS)]
+            if kind == "SHOT":
+                noisy.add(len(states) - 1)
+        elif kind and kind not in LOG_WORDS:
+            raise InputError(
+                f"line {n}: a line of a FastFiz log begins with one of {', '.join(LOG_WORDS)}, and "
+                f"this one with {kind!r}; remove it"
+            )
+    if index >= len(states):
+        raise InputError(f"index: {index} is out of range; the log has {len(states)} states")
+    if len(states) > 1:
+        notes.append(f"The log has {len(states)} states; this is number {index}, counted from 0.")
+    if index in noisy:
+        notes.append("The strike is the executed one, with FastFiz's noise, not the intended one.")
+    return states[index], shots.get(index)
 
 
 def _balls(words: list[str]) -> tuple[list[dict[str, Any]], list[str]]:

@@ -7,13 +7,12 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-from carom.convert._made import Converted
+from carom.convert._made import TOLERANCE, Converted, made
 from carom.convert._msgpack import unpack
 from carom.convert._place import Place
 from carom.convert._pooltool_table import table
 from carom.errors import InputError
 from carom.files import checked_path, refuse_other_encoding, shown
-from carom.shot import Shot
 
 _POCKETED = 4
 # A ball whose height differs from its radius by less than this is on the cloth, m.
@@ -22,7 +21,9 @@ _ON_CLOTH = 1e-9
 _SHARED = ("u_s", "u_r", "u_sp_proportionality", "e_b", "e_c", "f_c", "g")
 
 
-def pooltool(source: str | os.PathLike[str] | bytes | Mapping[str, Any]) -> Converted:
+def pooltool(
+    source: str | os.PathLike[str] | bytes | Mapping[str, Any], *, tolerance: float = TOLERANCE
+) -> Converted:
     """Convert a pooltool system to a shot.
 
     A simulated system gives the shot from its start.
@@ -30,6 +31,8 @@ def pooltool(source: str | os.PathLike[str] | bytes | Mapping[str, Any]) -> Conv
     Args:
         source: Path of a file that ``System.save`` wrote (JSON or MessagePack), its bytes, or its
             content as a dict.
+        tolerance: Largest overlap of balls and cushions that is removed (``Layout.repaired``), m;
+            ``left_out`` lists the balls that moved.
 
     Raises:
         OSError: The file cannot be read.
@@ -53,7 +56,7 @@ def pooltool(source: str | os.PathLike[str] | bytes | Mapping[str, Any]) -> Conv
     strike = _strike(system["cue"], moves, notes)
     if strike is not None:
         file["strike"] = strike
-    return Converted(Shot.from_dict(file), notes)
+    return made(file, notes, tolerance)
 
 
 def _tree(source: Any) -> Any:

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from carom.arguments import number, numbers, whole
+from carom.errors import InputError
 from carom.noise import Noise, Perception, noise_or_default, perception_or_none
 
 # Largest number of variants of one question. A 95 % interval is then about 0.00006 wide, far
@@ -58,6 +61,9 @@ class Search:
         speed: Least and greatest speed of the cue, m/s.
         offset: Largest tip offset, ball radii; at most 95 % of the miscue limit is used.
         elevation: Largest elevation, rad, for jumps and massés; None tries only the shot's own.
+        azimuth_reach: First and last azimuth, rad, counter-clockwise; None has no limit.
+        elevation_reach: Least and greatest elevation of every strike, rad; None has no limit.
+        butt: Corners of the rectangle in which the end of the butt must be, m; None has no limit.
         samples: Strikes spread over the whole range, in addition to those that geometry proposes.
         wanted: Largest number of strikes returned.
         per_route: Largest number of them over the same cushions and balls.
@@ -72,6 +78,9 @@ class Search:
     samples: int = 4096
     wanted: int = 10
     per_route: int = 3
+    azimuth_reach: tuple[float, float] | None = None
+    elevation_reach: tuple[float, float] | None = None
+    butt: tuple[Sequence[float], Sequence[float]] | None = None
 
     def __post_init__(self) -> None:
         elevation = self.elevation
@@ -82,6 +91,9 @@ class Search:
             "samples": whole("samples", self.samples),
             "wanted": whole("wanted", self.wanted),
             "per_route": whole("per_route", self.per_route),
+            "azimuth_reach": _range("azimuth", self.azimuth_reach),
+            "elevation_reach": _range("elevation", self.elevation_reach),
+            "butt": None if self.butt is None else _corners(self.butt),
         }
         for name, value in checked.items():
             object.__setattr__(self, name, value)
@@ -100,3 +112,20 @@ class Goal:
     pot: tuple[int, int | None] | None = None
     leave: tuple[tuple[float, float], float] | None = None
     first: int | None = None
+
+
+def _range(name: str, limits: Any) -> tuple[float, ...] | None:
+    return None if limits is None else numbers(name, limits, 2)
+
+
+def _corners(butt: Any) -> tuple[tuple[float, ...], ...]:
+    """Two corners of a rectangle.
+
+    Raises:
+        InputError: They are not two points.
+    """
+    try:
+        one, other = butt
+    except (TypeError, ValueError):
+        raise InputError(f"butt: {butt!r} is not a rectangle; give ((x, y), (x, y)) in m") from None
+    return numbers("butt[0]", one, 2), numbers("butt[1]", other, 2)

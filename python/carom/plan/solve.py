@@ -26,6 +26,9 @@ if TYPE_CHECKING:
 class Solution:
     """A strike that reaches the goal when it is hit exactly.
 
+    Under a noise with a mean error it is the strike to intend: it reaches the goal when it is hit
+    with that error alone.
+
     Attributes:
         shot: The shot with this strike, ready to simulate.
         speed: The cue's speed, m/s.
@@ -91,7 +94,9 @@ def solve(
     precision: float | None = None,
     speed: tuple[float, float] = (0.5, 7.0),
     offset: float = 0.45,
-    elevation: float | None = None,
+    elevation: float | tuple[float, float] | None = None,
+    azimuth: tuple[float, float] | None = None,
+    butt: tuple[Sequence[float], Sequence[float]] | None = None,
     samples: int = 4096,
     seed: int = 0,
     level: float = 0.95,
@@ -123,7 +128,12 @@ def solve(
         speed: Least and greatest speed of the cue, m/s.
         offset: Largest tip offset, ball radii; at most 95 % of the miscue limit is used.
         elevation: Largest elevation, rad, for jumps and massés, which are tried in addition to
-            strikes at the shot's elevation. None tries only the latter.
+            strikes at the shot's elevation. None tries only the latter. A pair, the least and the
+            greatest, is a limit of every strike: one that would be lower is raised.
+        azimuth: First and last azimuth, rad, counter-clockwise, to which the cue can turn:
+            ``(-0.2, 0.2)`` and ``(6.08, 0.2)`` are the same range. None is every azimuth.
+        butt: Two opposite corners ``((x, y), (x, y))`` of the rectangle, m, in which the end of the
+            butt must be, 1.47 m behind the tip (``Shot.cue_pose``). None has no limit.
         samples: Number of strikes spread over the whole range.
         seed: Seed of the random numbers.
         level: Confidence level of the intervals, in (0, 1).
@@ -132,7 +142,7 @@ def solve(
 
     Raises:
         InputError: The goal is empty, there is no such ball or pocket, the shot has no strike, or
-            a number is out of range.
+            a number is out of range or is no range.
     """
     struck = core_of(shot)
     goal = Goal(
@@ -140,7 +150,19 @@ def solve(
         None if leave is None else _disc(leave),
         None if first is None else ball_index(shot, first),
     )
-    search = Search(speed, offset, elevation, samples, wanted, per_route)
+    reach = None if elevation is None or not hasattr(elevation, "__len__") else elevation
+    highest = numbers("elevation", reach, 2)[1] if reach is not None else elevation
+    search = Search(
+        speed,
+        offset,
+        highest,
+        samples,
+        wanted,
+        per_route,
+        azimuth_reach=azimuth,
+        elevation_reach=reach,
+        butt=butt,
+    )
     sampling = Sampling(noise, perception, seed, whole("n", n, low=1), precision, level)
     with stage_bars([f"{name} strikes" for name in _core.stages()], show=progress) as report:
         found = _core.solve(struck, goal, search, sampling, thread_count(threads), report)

@@ -46,7 +46,9 @@ _NOISE = (
     "height_m",
     "cling_probability",
     "cling_friction",
+    "speed_relative",
 )
+_NOISE_ROWS = ("covariance", "bias", "samples")
 _OLD_SIGMAS = {"side": "side_m", "height": "height_m"}
 # Most steps of one grid; more of them are a typing error.
 _MOST_STEPS = 10**12
@@ -475,15 +477,18 @@ def _samples(found: Mapping[str, Any], parameters: tuple[Parameter, ...]) -> int
 def _noise(written: Any) -> Noise:
     if isinstance(written, str):
         return Noise.preset(written)
-    given = _fields("noise", written, (*_NOISE, *_OLD_SIGMAS))
+    given = _fields("noise", written, (*_NOISE, *_OLD_SIGMAS, *_NOISE_ROWS))
     numbers = {}
+    rows = {key: given[key] for key in _NOISE_ROWS if key in given}
     for key, value in given.items():
+        if key in rows:
+            continue
         x = _core.read_number(value, f"noise.{key}")
         new = _OLD_SIGMAS.get(key, key)
         if new != key and new in given:
             _refuse(f"noise.{key}", f"{new} gives the same number", f"keep only {new}")
         numbers[new.removesuffix("_deg")] = x * RADIANS if key.endswith("_deg") else x
-    return Noise(**numbers)
+    return Noise(**numbers, **rows)
 
 
 # One degree, rad.

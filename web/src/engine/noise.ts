@@ -1,4 +1,4 @@
-/** Execution noise as the engine's seven numbers, and back. */
+/** Execution noise as the engine's list of numbers, and back. */
 
 import { numbers, object } from "./arguments.js";
 import { CaromError } from "./error.js";
@@ -43,7 +43,38 @@ export function namedSigmas(values: ArrayLike<number>): Noise {
 export function sigmasOf(noise: Noise, place = "noise"): Float64Array {
   const { value, old } = withNewKeys(object(place, noise) as Readonly<Record<string, unknown>>);
   for (const key of old) warnOnce(`Noise.${key} is called Noise.${OLD_KEYS[key]} now`);
-  return Float64Array.from(numbers(place, { ...CLING, ...value }, NUMBERS));
+  const plain = numbers(place, { ...CLING, ...value }, NUMBERS);
+  if (!FURTHER.some((key) => value[key] !== undefined)) return Float64Array.from(plain);
+  const { speed_relative = 0, bias = [0, 0, 0, 0, 0] } = value;
+  const covariance = value.covariance === undefined ? [] : rows(`${place}.covariance`, value.covariance);
+  if (covariance.length !== 0 && covariance.length !== 5) {
+    const inner = `${place}.covariance`;
+    throw new CaromError(`${inner}: found ${covariance.length} rows; write five rows`, inner);
+  }
+  const samples = value.samples === undefined ? [] : rows(`${place}.samples`, value.samples);
+  return Float64Array.from([
+    ...plain,
+    ...numbers(place, { speed_relative }, ["speed_relative"]),
+    ...five(`${place}.bias`, bias),
+    covariance.length === 0 ? 0 : 1,
+    ...covariance.flat(),
+    ...samples.flat(),
+  ]);
+}
+
+/** The keys of a noise that is more than independent Gaussian errors. */
+const FURTHER = ["speed_relative", "covariance", "bias", "samples"] as const;
+
+/** @throws CaromError if `row` is not five numbers. */
+function five(place: string, row: unknown): number[] {
+  if (Array.isArray(row) && row.length === 5) return numbers(place, row, ["0", "1", "2", "3", "4"]);
+  throw new CaromError(`${place}: found no list of five numbers; write one`, place);
+}
+
+/** @throws CaromError if `list` is not a list of rows of five numbers. */
+function rows(place: string, list: unknown): number[][] {
+  if (!Array.isArray(list)) throw new CaromError(`${place}: found no list; write rows of five`, place);
+  return list.map((row, i) => five(`${place}[${i}]`, row));
 }
 
 /**

@@ -31,6 +31,8 @@ export interface BallEntry {
   readonly velocity?: Vector;
   /** rad/s. */
   readonly angular_velocity?: Vector;
+  /** The ball rolls at its velocity: its spin follows from it. Default false. */
+  readonly rolling?: boolean;
   /** kg. */
   readonly mass?: number;
   /** m. */
@@ -318,7 +320,13 @@ export interface TraceFile {
   readonly hash: string;
 }
 
-/** Standard deviations of a player's execution errors, Gaussian and independent; and cling. */
+/** Five numbers about a strike: speed (m/s), azimuth (rad), elevation (rad), side (m), height (m). */
+export type StrikeErrors = readonly [number, number, number, number, number];
+
+/**
+ * A player's execution errors, and cling. The Gaussian parts add up: the error is normal, its mean is the
+ * bias, and its covariance is the sum of `covariance` and the squared standard deviations.
+ */
 export interface Noise {
   /** Of the contact point sideways, m. */
   readonly side_m: number;
@@ -334,6 +342,14 @@ export interface Noise {
   readonly cling_probability?: number;
   /** Coefficient of friction of a contact that clings. Default 0.22. */
   readonly cling_friction?: number;
+  /** Standard deviation of a further error of the speed, as a share of it, 0 to 1. Default 0. */
+  readonly speed_relative?: number;
+  /** Covariance of errors that depend on each other. */
+  readonly covariance?: readonly StrikeErrors[];
+  /** Mean of the error, executed minus intended. */
+  readonly bias?: StrikeErrors;
+  /** Measured errors in place of standard deviations and a covariance; each is equally likely. */
+  readonly samples?: readonly StrikeErrors[];
 }
 
 /** Which variants `Shot.vary` draws. */

@@ -2,13 +2,12 @@
 
 use std::sync::Arc;
 
-use carom::Error;
 use carom::format::{Node, Reader};
+use carom::noise::Perception;
+use carom::{Error, Noise};
 use carom_rules::{Options, Rules};
 
-use super::values::{
-    noise, perception, play, read_noise, read_perception, read_play, read_whole, two, whole,
-};
+use super::values::{play, read_play, read_whole, two, whole};
 use super::{ENGINE, MATCH_FORMAT};
 use crate::clock::{Clock, ClockPeriod, ClockUnit};
 use crate::sequential::SequentialTest;
@@ -96,8 +95,8 @@ impl MatchHeader {
             ("table", setup.get("table").cloned().into()),
             ("physics", setup.get("physics").cloned().into()),
             ("max_events", settings.max_events.into()),
-            ("noise", Node::list(settings.noise.iter().map(noise))),
-            ("perception", Node::list(settings.perception.iter().map(perception))),
+            ("noise", Node::list(settings.noise.iter().map(Noise::to_node))),
+            ("perception", Node::list(settings.perception.iter().map(Perception::to_node))),
             ("clock", Node::list(settings.clock.iter().map(clock_node))),
             ("breaker", breaker),
             ("same_break", same_break.into()),
@@ -157,8 +156,8 @@ fn read_settings(header: &Reader<'_>) -> Result<MatchSettings, Error> {
         table: header.get("table").map(|table| table.node().clone()),
         physics: header.get("physics").map(|physics| physics.node().clone()),
         max_events,
-        noise: two(&require("noise")?, read_noise)?,
-        perception: two(&require("perception")?, read_perception)?,
+        noise: two(&require("noise")?, Noise::read)?,
+        perception: two(&require("perception")?, Perception::read)?,
         clock: two(&require("clock")?, read_clock)?,
         breaker: read_breaker(&require("breaker")?)?,
         same_break: None,

@@ -1,11 +1,10 @@
-//! Values of records that occur in several places: plays, strikes, noise and seeds.
+//! Values of records that occur in several places: plays, strikes and seeds.
 
+use carom::Error;
 use carom::format::{Node, Reader};
-use carom::noise::Perception;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::Cling;
 use carom::table::PocketName;
-use carom::{Error, Noise};
 use carom_rules::{BallIndex, Call, Frame, Play};
 
 /// What to write for a place of the cue ball.
@@ -157,43 +156,4 @@ fn read_call(frame: &Frame, at: &Reader<'_>) -> Result<Call, Error> {
 pub(super) fn cling(cling: &Cling) -> Node {
     let contacts = Node::list(cling.contacts());
     Node::object([("contacts", contacts), ("friction", cling.friction().into())])
-}
-
-pub(super) fn noise(noise: &Noise) -> Node {
-    Node::object(noise_fields(noise).map(|(key, value)| (key, value.into())))
-}
-
-const fn noise_fields(noise: &Noise) -> [(&'static str, f64); 7] {
-    [
-        ("speed", noise.speed),
-        ("azimuth", noise.azimuth),
-        ("elevation", noise.elevation),
-        ("side_m", noise.side_m),
-        ("height_m", noise.height_m),
-        ("cling_probability", noise.cling_probability),
-        ("cling_friction", noise.cling_friction),
-    ]
-}
-
-pub(super) fn read_noise(at: &Reader<'_>) -> Result<Noise, Error> {
-    at.keys(&noise_fields(&Noise::NONE).map(|(key, _)| key))?;
-    let key = |key| at.require(key, "a number")?.exact_number();
-    Ok(Noise {
-        speed: key("speed")?,
-        azimuth: key("azimuth")?,
-        elevation: key("elevation")?,
-        side_m: key("side_m")?,
-        height_m: key("height_m")?,
-        cling_probability: key("cling_probability")?,
-        cling_friction: key("cling_friction")?,
-    })
-}
-
-pub(super) fn perception(perception: &Perception) -> Node {
-    Node::object([("position", perception.position.into())])
-}
-
-pub(super) fn read_perception(at: &Reader<'_>) -> Result<Perception, Error> {
-    at.keys(&["position"])?;
-    Ok(Perception { position: at.require("position", "a number, m")?.exact_number()? })
 }

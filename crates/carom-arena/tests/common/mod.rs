@@ -164,7 +164,7 @@ pub(crate) fn random_players(_: PlayerIndex) -> Result<Box<dyn Player>, Error> {
 pub(crate) fn short(rules: Rules) -> MatchSettings {
     MatchSettings {
         options: Options { points: 3, patience: 25, ..Options::default() },
-        noise: [Noise::olympiad(1.0); 2],
+        noise: [const { Noise::olympiad(1.0) }; 2],
         clock: [Clock::simulations(100); 2],
         ..MatchSettings::new(rules)
     }

@@ -80,7 +80,8 @@ pub fn found(frame: &Frame, noise: &Noise) -> Option<(&'static FoundBreak, Fit)>
 /// The errors of a player as a multiple of the Computational Olympiad's, by the error of the azimuth:
 /// in a break it decides how squarely the rack is hit.
 pub fn multiplier(noise: &Noise) -> f64 {
-    noise.azimuth / Noise::olympiad(1.0).azimuth
+    let [_, azimuth, ..] = noise.deviations(0.0);
+    azimuth / Noise::olympiad(1.0).azimuth
 }
 
 impl FoundBreak {

@@ -182,7 +182,7 @@ impl CueCard {
     /// What a state is worth: by the Markov chain in an ending, and else by its best shots.
     fn gain(&self, desk: &Desk<'_>) -> impl Fn(&Frame) -> f64 + Sync {
         let is_ending = balls_left(desk.situation.frame, desk.seat()) <= self.settings.ending;
-        let (noise, seat, value) = (desk.situation.noise, desk.seat(), desk.value.clone());
+        let (noise, seat, value) = (desk.situation.noise.clone(), desk.seat(), desk.value.clone());
         move |frame: &Frame| {
             let position = Position { frame, noise: &noise };
             if is_ending {

@@ -114,8 +114,8 @@ impl<'a> Desk<'a> {
     }
 
     /// The errors of the player's strikes.
-    pub(crate) const fn noise(&self) -> Noise {
-        self.situation.noise[self.turn.player]
+    pub(crate) fn noise(&self) -> Noise {
+        self.situation.noise[self.turn.player].clone()
     }
 
     pub(crate) fn table(&self) -> Arc<PotTable> {
@@ -123,9 +123,9 @@ impl<'a> Desk<'a> {
     }
 
     /// The errors that the player draws for its decision.
-    pub(crate) const fn errors(&self) -> Errors {
-        let Situation { perception, seed, .. } = *self.situation;
-        Errors { noise: self.noise(), perception, seed }
+    pub(crate) fn errors(&self) -> Errors {
+        let Situation { perception, seed, .. } = self.situation;
+        Errors { noise: self.noise(), perception: perception.clone(), seed: *seed }
     }
 
     /// What the player sees from the prepared positions.
@@ -174,7 +174,7 @@ pub(crate) fn value_of(method: &dyn Method, situation: &Situation<'_>) -> Result
     let frame = situation.frame;
     let table = |seat: Seat| {
         if frame.rules() == Rules::ThreeCushion {
-            Ok(Arc::new(PotTable::geometric(situation.noise[seat])))
+            Ok(Arc::new(PotTable::geometric(situation.noise[seat].clone())))
         } else {
             method.tables().table(frame, &situation.noise[seat])
         }

@@ -157,7 +157,7 @@ mod tests {
         frame.resume_at(&places, 0).expect("a layout");
         let noise = Noise::olympiad(1.0);
         let turn = frame.turn().expect("a shot");
-        let sight = Sight::new(&frame, turn, Arc::new(PotTable::geometric(noise)), noise);
+        let sight = Sight::new(&frame, turn, Arc::new(PotTable::geometric(noise.clone())), noise);
         let grid = PositionGrid::new(&frame, &sight);
         let middle = frame.base().table().center();
         let at = |x: f64, y: f64| grid.at(Vec2::new(x, y) - middle);

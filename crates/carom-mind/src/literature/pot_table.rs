@@ -133,7 +133,7 @@ fn measure_layout(
     let start = Strike { elevation: prepared.shot().default_elevation(&start), ..start };
     let aimed = aim(sampler, prepared, &line, (start, line.slope), &mut 0)?;
     let Some(aimed) = aimed.filter(|aimed| aimed.is_potted) else { return Ok(false) };
-    let errors = Errors { noise: *noise, perception: Perception::default(), seed: SEED };
+    let errors = Errors { noise: noise.clone(), perception: Perception::default(), seed: SEED };
     let pocket = scene.table.pockets[line.pocket].name;
     let mut successor = prepared.frame().clone();
     let mut hits = 0.0;
@@ -217,7 +217,7 @@ impl PotTables {
         if let Some((_, table)) = known {
             return Ok(Arc::clone(table));
         }
-        let table = Arc::new(PotTable::measure(frame, *noise)?);
+        let table = Arc::new(PotTable::measure(frame, noise.clone())?);
         entries.push((setup, Arc::clone(&table)));
         Ok(table)
     }

@@ -91,7 +91,8 @@ impl<'a> Sight<'a> {
     /// The largest tip offset of intended strikes, ball radii.
     pub(crate) fn largest_offset(&self, prepared: &Prepared<'_>) -> f64 {
         let limit = prepared.shot().miscue_limit().min(1.0);
-        let error = self.noise.side_m.max(self.noise.height_m) / self.radius;
+        let [.., side, height] = self.noise.deviations(0.0);
+        let error = side.max(height) / self.radius;
         (limit - AWAY * error).clamp(0.0, OFFSET_USED * limit)
     }
 }

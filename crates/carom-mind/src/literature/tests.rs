@@ -244,7 +244,7 @@ fn deep_green_plays_for_position_at_depth_two_and_not_at_depth_zero() {
     let next_chance = [0, 2].map(|depth| {
         let settings = DeepGreenSettings { depth, ..DeepGreenSettings::default() };
         let mut player = DeepGreen::with_tables(settings, literature.tables.clone());
-        let situation = Situation::new(&frame, noise, 1);
+        let situation = Situation::new(&frame, noise.clone(), 1);
         let decision = player.decide(&situation, &Budget::simulations(1500));
         let Answer::Play(play) = decision.expect("a decision").answer else { panic!("no play") };
         let mut next = frame.clone();

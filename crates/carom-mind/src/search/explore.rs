@@ -111,6 +111,9 @@ impl<'a> Explorer<'a> {
             PlayKind::Indirect => self.potted(),
             _ => line.map(|line| line.pot(prepared.shot().table())),
         };
+        // The strike was simulated as it is executed; a player with a bias means another one.
+        let noise = &self.situation.noise[self.seat()];
+        let strike = noise.aim_for(&strike, &prepared.struck_ball());
         self.found.push(Candidate {
             play: Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) },
             kind,

@@ -61,6 +61,8 @@ const NEW_STRIKES: u64 = 16;
 const VISITS: u64 = 40;
 /// Strikes of the root that stay from one round to the next.
 const KEPT: usize = 64;
+/// The speed, m/s, for which the kernel takes the errors that grow with the speed: that of a usual shot.
+const USUAL_SPEED: f64 = 2.0;
 /// Makes a seed of the number of an outcome: 2^64 / φ. Otherwise the errors after an outcome would be
 /// those that led to it.
 const SEED_STEP: u64 = 0x9e37_79b9_7f4a_7c15;
@@ -135,7 +137,7 @@ struct DecisionNode {
 impl DecisionNode {
     fn new(race: &Race<'_>) -> Self {
         let noise = &race.situation.noise[race.seat];
-        let deviations = deviations(noise, cue_radius(race));
+        let deviations = deviations(noise, USUAL_SPEED, cue_radius(race));
         let regression = KernelRegression::new(deviations);
         Self { actions: Vec::new(), regression, visits: 0, tried: 0 }
     }
@@ -356,7 +358,7 @@ fn allowed(shared: &Statistics, more: u64) -> f64 {
 /// The situation after outcome `index` of a strike.
 fn after<'a>(before: &Situation<'_>, frame: &'a Frame, index: usize) -> Situation<'a> {
     let step = SEED_STEP.wrapping_mul(index as u64 + 1);
-    Situation { frame, seed: before.seed.wrapping_add(step), ..*before }
+    Situation { frame, seed: before.seed.wrapping_add(step), ..before.clone() }
 }
 
 /// The radius of the cue ball, m.

@@ -309,7 +309,8 @@ fn nearest_speed(speed: f64) -> usize {
 /// The largest tip offset of intended strikes, ball radii. `radius` is the cue ball's, m.
 pub(crate) fn largest_offset(shot: &Shot, noise: &Noise, radius: f64) -> f64 {
     let limit = shot.miscue_limit().min(1.0);
-    let error = noise.side_m.max(noise.height_m) / radius;
+    let [.., side, height] = noise.deviations(0.0);
+    let error = side.max(height) / radius;
     (limit - AWAY * error).clamp(0.0, OFFSET_USED * limit)
 }
 

@@ -190,8 +190,8 @@ impl Race<'_> {
     pub(crate) fn errors_of(&self, candidate: &Candidate) -> Errors {
         let own = if self.common_errors { 0 } else { candidate.play.strike.azimuth.to_bits() };
         Errors {
-            noise: self.situation.noise[self.seat],
-            perception: self.situation.perception,
+            noise: self.situation.noise[self.seat].clone(),
+            perception: self.situation.perception.clone(),
             seed: self.situation.seed ^ own,
         }
     }

@@ -25,7 +25,7 @@ const REBREAK_SAFELY: f64 = 0.42;
 
 /// The racks of a game on a table, broken by a player with its errors. Rack k of a seed is the same for
 /// every break, with the same errors, so that breaks are compared on equal terms.
-#[derive(Clone, Copy)]
+#[derive(Clone)]
 pub struct Racks<'a> {
     start: &'a Frame,
     noise: [Noise; 2],
@@ -70,8 +70,8 @@ impl<'a> Racks<'a> {
             let what = "it does not ask for an opening shot";
             return Err(Error::input("frame", what, "give a frame before its break"));
         }
-        let noise = [situation.noise[seat], situation.noise[1 - seat]];
-        let Situation { perception, seed, .. } = *situation;
+        let noise = [situation.noise[seat].clone(), situation.noise[1 - seat].clone()];
+        let (perception, seed) = (situation.perception.clone(), situation.seed);
         let rebreak = match start.rules() {
             Rules::StraightPool | Rules::Snooker => REBREAK_SAFELY,
             _ => REBREAK,
@@ -85,7 +85,7 @@ impl<'a> Racks<'a> {
     /// The same racks; after one in `every` breaks the next shot is searched with about `per_reply`
     /// simulations. 0 for none.
     #[must_use]
-    pub const fn with_replies(self, every: u64, per_reply: u64) -> Self {
+    pub fn with_replies(self, every: u64, per_reply: u64) -> Self {
         Self { every, per_reply, ..self }
     }
 
@@ -169,8 +169,8 @@ impl<'a> Racks<'a> {
         let place = frame.turn().and_then(|turn| shot.cue_ball(&frame, turn));
         let Ok(prepared) = Prepared::new(&frame, place) else { return Ok(None) };
         let Ok(play) = shot.play_of(&prepared) else { return Ok(None) };
-        let noise = self.noise[BREAKER];
-        let errors = Errors { noise, perception: self.perception, seed: self.seed };
+        let noise = self.noise[BREAKER].clone();
+        let errors = Errors { noise, perception: self.perception.clone(), seed: self.seed };
         match sampler.simulate_variant(&prepared, &play.strike, &errors, index) {
             Err(Error::Input(_)) => return Ok(None),
             result => result?,
@@ -248,7 +248,7 @@ impl<'a> Racks<'a> {
         if per_reply == 0 {
             return Ok(estimated());
         }
-        let Self { noise, perception, seed, .. } = *self;
+        let Self { noise, perception, seed, .. } = self.clone();
         let situation = Situation { frame, noise, perception, seed };
         let (searched, more) = quick_value(&situation, self.value, per_reply)?;
         *plays += more;

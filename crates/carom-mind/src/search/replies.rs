@@ -159,7 +159,7 @@ fn reply(
     )?;
     sampler.rule(prepared, candidate.play.call, successor)?;
     let estimated = candidate.samples[sample].value;
-    let situation = Situation { frame: successor, ..*race.situation };
+    let situation = Situation { frame: successor, ..race.situation.clone() };
     let (searched, plays) = quick_value(&situation, race.value, per_reply)?;
     let is_own = successor.player().map(|player| player == race.seat);
     let difference = match is_own {

@@ -11,7 +11,7 @@ use super::openings::opening_shots;
 use super::pots::KnownLine;
 use super::race::Race;
 use super::replies::Replies;
-use super::shift::{deviations, uphill};
+use super::shift::{deviations, means, uphill};
 use super::windows::direct_pots;
 use crate::breaks::BreakShot;
 use crate::line::Line;
@@ -429,7 +429,7 @@ fn shift(candidates: &mut Vec<Candidate>, race: &Race<'_>, speeds: [f64; 2]) {
     let Some(turn) = frame.turn() else { return };
     let radius = frame.layout().balls()[usize::from(turn.cue)].ball.radius;
     let noise = &race.situation.noise[race.seat];
-    let deviations = deviations(noise, radius);
+    let means = means(noise, radius);
     let moved: Vec<Candidate> = candidates
         .iter()
         .take(SHIFTED)
@@ -437,7 +437,8 @@ fn shift(candidates: &mut Vec<Candidate>, race: &Race<'_>, speeds: [f64; 2]) {
             let shot = race.prepared[candidate.place].shot();
             let most = super::pots::largest_offset(shot, noise, radius);
             let most = most.max(candidate.play.strike.offset());
-            let strike = uphill(candidate, &deviations, (speeds, most))?;
+            let deviations = deviations(noise, candidate.play.strike.speed, radius);
+            let strike = uphill(candidate, (&means, &deviations), (speeds, most))?;
             let play = carom_rules::Play { strike, ..candidate.play };
             let (samples, prior) = (Vec::new(), candidate.mean());
             Some(Candidate { play, samples, prior, correction: 0.0, ..candidate.clone() })

@@ -4,6 +4,10 @@
 //! a neighbouring one, with the ratio of the two error densities as its weight. The weighted mean
 //! estimates the value of the neighbour without a simulation, as long as the effective sample size
 //! (Kish 1965) is large enough.
+//!
+//! The ratio is that of independent normal errors with the noise's own mean and standard deviations. For
+//! correlated or measured errors it is an approximation. It only proposes where to look: the moved play
+//! is then judged by samples of its own, under the noise itself.
 
 use carom::Noise;
 use carom::math::exp;
@@ -19,10 +23,17 @@ const LEAST_EFFECTIVE: f64 = 0.25;
 const FIRST_STEP: f64 = 0.5;
 const LAST_STEP: f64 = 0.1;
 
-/// The standard deviations of a strike's parameters: azimuth, speed, side, height. `radius` is the
-/// cue ball's, m.
-pub(crate) fn deviations(noise: &Noise, radius: f64) -> [f64; 4] {
-    [noise.azimuth, noise.speed, noise.side_m / radius, noise.height_m / radius]
+/// The standard deviations of the parameters of a strike with this `speed` (m/s): azimuth, speed, side,
+/// height. `radius` is the cue ball's, m.
+pub(crate) fn deviations(noise: &Noise, speed: f64, radius: f64) -> [f64; 4] {
+    let [speed, azimuth, _, side, height] = noise.deviations(speed);
+    [azimuth, speed, side / radius, height / radius]
+}
+
+/// The mean errors of the same parameters.
+pub(crate) fn means(noise: &Noise, radius: f64) -> [f64; 4] {
+    let [speed, azimuth, _, side, height] = noise.mean();
+    [azimuth, speed, side / radius, height / radius]
 }
 
 /// `strike` moved by `steps` standard deviations.
@@ -42,7 +53,7 @@ pub(crate) fn moved(strike: &Strike, deviations: &[f64; 4], steps: &[f64; 4]) ->
 /// m/s), and a tip offset of at most `most` ball radii.
 pub(crate) fn uphill(
     candidate: &Candidate,
-    deviations: &[f64; 4],
+    (means, deviations): (&[f64; 4], &[f64; 4]),
     ([slowest, fastest], most): ([f64; 2], f64),
 ) -> Option<Strike> {
     let samples = &candidate.samples;
@@ -50,8 +61,10 @@ pub(crate) fn uphill(
         return None;
     }
     let meant = &candidate.play.strike;
-    let errors: Vec<([f64; 4], f64)> =
-        samples.iter().map(|sample| (error(sample, meant, deviations), sample.value)).collect();
+    let errors: Vec<([f64; 4], f64)> = samples
+        .iter()
+        .map(|sample| (error(sample, meant, (means, deviations)), sample.value))
+        .collect();
     let mut best = [0.0; 4];
     let mut value = estimate(&errors, &best)?;
     let start = value;
@@ -79,8 +92,12 @@ pub(crate) fn uphill(
     (value > start).then(|| moved(meant, deviations, &best))
 }
 
-/// The error of a sample in standard deviations; 0 where there is none.
-fn error(sample: &PlayedVariant, meant: &Strike, deviations: &[f64; 4]) -> [f64; 4] {
+/// The error of a sample beside the mean, in standard deviations; 0 where there is none.
+fn error(
+    sample: &PlayedVariant,
+    meant: &Strike,
+    (means, deviations): (&[f64; 4], &[f64; 4]),
+) -> [f64; 4] {
     let executed = &sample.executed;
     let differences = [
         executed.azimuth - meant.azimuth,
@@ -88,7 +105,9 @@ fn error(sample: &PlayedVariant, meant: &Strike, deviations: &[f64; 4]) -> [f64;
         executed.side - meant.side,
         executed.height - meant.height,
     ];
-    core::array::from_fn(|k| if deviations[k] > 0.0 { differences[k] / deviations[k] } else { 0.0 })
+    core::array::from_fn(|k| {
+        if deviations[k] > 0.0 { (differences[k] - means[k]) / deviations[k] } else { 0.0 }
+    })
 }
 
 /// The weighted mean value of the intention that is `shift` standard deviations away; none if the
@@ -114,7 +133,7 @@ mod tests {
     use carom::{Noise, math};
     use carom_rules::Play;
 
-    use super::{deviations, uphill};
+    use super::{deviations, means, uphill};
     use crate::search::{Candidate, PlayKind, PlayedVariant};
 
     const MEANT: Strike =
@@ -154,31 +173,55 @@ mod tests {
     #[test]
     fn an_intention_moves_towards_the_top_of_a_hill() {
         let noise = Noise::olympiad(1.0);
-        let deviations = deviations(&noise, 0.028575);
+        let deviations = deviations(&noise, MEANT.speed, 0.028575);
         let top = MEANT.azimuth + 0.8 * noise.azimuth;
         let hill = |strike: &Strike| {
             let off = (strike.azimuth - top) / noise.azimuth;
             math::exp(-off * off)
         };
-        let moved = uphill(&candidate(&noise, 400, hill), &deviations, (SPEEDS, 0.5)).unwrap();
+        let moved =
+            uphill(&candidate(&noise, 400, hill), (&[0.0; 4], &deviations), (SPEEDS, 0.5)).unwrap();
         let share = (moved.azimuth - MEANT.azimuth) / noise.azimuth;
         assert!((0.4..1.2).contains(&share), "{share}");
     }
 
     #[test]
+    fn a_bias_is_not_taken_for_a_hill() {
+        let noise = Noise { bias: [0.0, 0.002, 0.0, 0.0, 0.0], ..Noise::olympiad(1.0) };
+        let (means, deviations) =
+            (means(&noise, 0.028575), deviations(&noise, MEANT.speed, 0.028575));
+        // The best execution is the intended strike without its error.
+        let hill = |strike: &Strike| {
+            let off = (strike.azimuth - MEANT.azimuth) / noise.azimuth;
+            math::exp(-off * off)
+        };
+        let candidate = candidate(&noise, 400, hill);
+        let moved = uphill(&candidate, (&means, &deviations), (SPEEDS, 0.5)).unwrap();
+        let share = (moved.azimuth - MEANT.azimuth) / 0.002;
+        assert!((-1.4..-0.4).contains(&share), "{share}");
+    }
+
+    #[test]
     fn few_samples_and_level_ground_move_nothing() {
         let noise = Noise::olympiad(1.0);
-        let deviations = deviations(&noise, 0.028575);
-        assert_eq!(uphill(&candidate(&noise, 20, |s| s.azimuth), &deviations, (SPEEDS, 0.5)), None);
-        assert_eq!(uphill(&candidate(&noise, 200, |_| 0.5), &deviations, (SPEEDS, 0.5)), None);
+        let deviations = deviations(&noise, MEANT.speed, 0.028575);
+        assert_eq!(
+            uphill(&candidate(&noise, 20, |s| s.azimuth), (&[0.0; 4], &deviations), (SPEEDS, 0.5)),
+            None
+        );
+        assert_eq!(
+            uphill(&candidate(&noise, 200, |_| 0.5), (&[0.0; 4], &deviations), (SPEEDS, 0.5)),
+            None
+        );
     }
 
     #[test]
     fn an_intention_stays_within_the_speeds() {
         let noise = Noise::olympiad(1.0);
-        let deviations = deviations(&noise, 0.028575);
+        let deviations = deviations(&noise, MEANT.speed, 0.028575);
         let candidate = candidate(&noise, 400, |strike| strike.speed);
-        let speed = |speeds| uphill(&candidate, &deviations, (speeds, 0.5)).unwrap().speed;
+        let speed =
+            |speeds| uphill(&candidate, (&[0.0; 4], &deviations), (speeds, 0.5)).unwrap().speed;
         assert!(speed(SPEEDS) > MEANT.speed + 0.4 * noise.speed);
         let fastest = MEANT.speed + 0.2 * noise.speed;
         assert!((MEANT.speed..=fastest).contains(&speed([0.0, fastest])));
@@ -187,8 +230,9 @@ mod tests {
     #[test]
     fn an_intention_stays_within_the_largest_tip_offset() {
         let noise = Noise::olympiad(1.0);
-        let deviations = deviations(&noise, 0.028575);
-        let moved = uphill(&candidate(&noise, 400, |s| s.side), &deviations, (SPEEDS, 0.11));
+        let deviations = deviations(&noise, MEANT.speed, 0.028575);
+        let moved =
+            uphill(&candidate(&noise, 400, |s| s.side), (&[0.0; 4], &deviations), (SPEEDS, 0.11));
         assert!(moved.is_none_or(|strike| strike.offset() <= 0.11), "{moved:?}");
     }
 }

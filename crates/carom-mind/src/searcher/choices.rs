@@ -37,7 +37,7 @@ impl Searcher {
         let begin = |choice: &Choice| -> Result<Branch, Error> {
             let mut frame = situation.frame.clone();
             frame.choose(*choice)?;
-            let after = Situation { frame: &frame, ..*situation };
+            let after = Situation { frame: &frame, ..situation.clone() };
             let rounds = match frame.request() {
                 Request::Shot(_) => Some(self.begin(&after, &share, self.settings().stated)?),
                 _ => None,
@@ -51,7 +51,7 @@ impl Searcher {
             for Branch { frame, rounds, .. } in &mut branches {
                 let Some(rounds) = rounds else { continue };
                 let so_far = rounds.spent().simulations;
-                self.play_round(rounds, &Situation { frame, ..*situation }, &share)?;
+                self.play_round(rounds, &Situation { frame, ..situation.clone() }, &share)?;
                 spent.simulations += rounds.spent().simulations - so_far;
             }
             if spent.simulations == before {
@@ -62,7 +62,7 @@ impl Searcher {
         let mut best: Option<(Choice, f64)> = None;
         spent.simulations = 0;
         for Branch { choice, frame, rounds } in branches {
-            let after = Situation { frame: &frame, ..*situation };
+            let after = Situation { frame: &frame, ..situation.clone() };
             let found = rounds.map(|rounds| self.found(rounds, &after, &share)).transpose()?;
             spent.simulations += found.as_ref().map_or(0, |found| found.spent.simulations);
             let own = match found.as_ref().and_then(|found| found.candidates.first()) {

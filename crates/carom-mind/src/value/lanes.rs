@@ -101,7 +101,7 @@ impl Reference {
 
     /// The chances of the usual pot for the two seats.
     pub(crate) fn chances(position: &Position<'_>) -> [f64; 2] {
-        position.noise.map(|noise| Self::of(position.frame, &noise).chance)
+        position.noise.each_ref().map(|noise| Self::of(position.frame, noise).chance)
     }
 
     /// The usual pot of a player with these errors on the frame's table.

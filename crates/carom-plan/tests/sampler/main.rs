@@ -86,14 +86,14 @@ fn a_successor_is_that_of_the_shot_that_the_frame_plays_itself() {
 fn a_variant_is_that_of_the_engine_with_its_strike_its_layout_and_its_cling() {
     let still = Noise::olympiad(1.0);
     let clinging = Noise { cling_probability: 0.2, ..Noise::olympiad(2.0) };
-    let seen = Perception { position: 0.003 };
+    let seen = Perception::round(0.003);
     for (noise, perception) in [
         (still, Perception::default()),
-        (clinging, Perception::default()),
-        (Noise::NONE, seen),
+        (clinging.clone(), Perception::default()),
+        (Noise::NONE, seen.clone()),
         (clinging, seen),
     ] {
-        let errors = Errors { noise, perception, seed: 9 };
+        let errors = Errors { noise: noise.clone(), perception, seed: 9 };
         for rules in Rules::ALL {
             let mut sampler = Sampler::new();
             for (k, (frame, play)) in (0..).zip(positions(rules, 5, shots() / 10)) {

@@ -10,7 +10,8 @@ use crate::math::Vec3;
 use crate::shot::{MASS, PlacedBall, RADIUS};
 use crate::{Ball, BallState};
 
-const KEYS: &[&str] = &["id", "position", "velocity", "angular_velocity", "mass", "radius"];
+const KEYS: &[&str] =
+    &["id", "position", "velocity", "angular_velocity", "rolling", "mass", "radius"];
 
 /// Reads `balls`; `default` is the physics' ball. Whether they have room on the table is checked
 /// afterwards.
@@ -35,7 +36,27 @@ fn read_one(at: &At<'_>, default: &Ball) -> Result<PlacedBall, Error> {
     if let Some(at) = fields.get("angular_velocity") {
         state.angular_velocity = at.vector()?;
     }
+    if let Some(at) = fields.get("rolling")
+        && at.flag()?
+    {
+        if fields.get("angular_velocity").is_some() {
+            let what = "a rolling ball's spin follows from its velocity";
+            return Err(at.refuse(what, "remove angular_velocity, or rolling"));
+        }
+        if fields.get("velocity").is_none() {
+            return Err(
+                at.refuse("the ball has no velocity", "write its velocity, [x, y, 0] in m/s")
+            );
+        }
+        state.angular_velocity = rolling_spin(state.velocity, ball.radius);
+    }
     Ok(PlacedBall { id, ball, state })
+}
+
+/// The spin (rad/s) with which a ball of radius `radius` (m) rolls at `velocity` (m/s): the point that
+/// touches the cloth is at rest, so ω = ẑ × v/R.
+fn rolling_spin(velocity: Vec3, radius: f64) -> Vec3 {
+    Vec3::new(0.0 - velocity.y / radius, velocity.x / radius, 0.0)
 }
 
 /// A ball as a shot file has it; `default` is the physics' ball.

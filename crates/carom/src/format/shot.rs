@@ -13,7 +13,9 @@ use super::read::At;
 use super::{angle, balls, cling, physics, strike, table};
 use crate::error::Error;
 use crate::resolve::cue_ball::Strike;
-use crate::shot::{Cling, DEFAULT_MAX_EVENTS, Parts, Shot, StrikePolicy, UNTIL, checked_balls};
+use crate::shot::{
+    Cling, DEFAULT_MAX_EVENTS, MovedBall, Parts, Shot, StrikePolicy, UNTIL, checked_balls,
+};
 
 /// The value of `format` in a shot file.
 pub const SHOT_FORMAT: &str = "carom-shot/1";
@@ -271,6 +273,30 @@ impl Shot {
     pub fn to_record_node(&self) -> Node {
         with_dated_names(&self.to_node())
     }
+}
+
+/// The tree of a shot file whose balls overlap each other or the cushions by at most `tolerance` (m),
+/// with the balls apart ([`crate::shot::repair`]), and the balls that moved. Only their positions change.
+///
+/// # Errors
+/// [`Error::Input`] for a table, a physics or balls that a shot file could not have, and as
+/// [`crate::shot::repair`].
+pub fn repaired(file: &Node, tolerance: f64) -> Result<(Node, Vec<MovedBall>), Error> {
+    let fields = At::root(file).known_fields()?;
+    let at = fields.require("table", "a table preset's name, or an object {...}")?;
+    let (table, default_physics) = table::read(&at)?;
+    let physics = physics::read(fields.get("physics").as_ref(), &default_physics)?;
+    let mut balls = balls::read(&fields.require("balls", "a list of balls")?, &physics.ball)?;
+    let moved = crate::shot::repair(&mut balls, &table, tolerance)?;
+    let mut file = file.clone();
+    if let Some(Node::List(written)) = file.get_mut("balls") {
+        for (node, placed) in written.iter_mut().zip(&balls) {
+            let [x, y, z] = placed.state.position.to_array();
+            let lies = z == placed.ball.radius;
+            node.set("position", if lies { Node::from([x, y]) } else { Node::list([x, y, z]) });
+        }
+    }
+    Ok((file, moved))
 }
 
 fn read(file: &Node) -> Result<Shot, Error> {

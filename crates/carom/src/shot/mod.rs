@@ -5,8 +5,10 @@
 
 mod balls;
 mod cling;
+mod cue_pose;
 mod obstruction;
 mod place;
+mod repair;
 mod strike;
 
 use alloc::format;
@@ -16,7 +18,9 @@ use alloc::vec::Vec;
 
 pub(crate) use balls::{CheckedBalls, MASS, RADIUS, checked as checked_balls, fits};
 pub use cling::{Cling, MOST_CONTACTS};
+pub use cue_pose::{CueClearance, CuePose};
 pub use obstruction::{BallInSpace, Touched};
+pub use repair::{MovedBall, repair};
 pub(crate) use strike::{ELEVATION, FASTEST, OFFSET, SPEED, explain};
 pub use strike::{Policy, StrikePolicy};
 

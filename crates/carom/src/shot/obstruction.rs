@@ -21,7 +21,7 @@ use crate::resolve::cue_ball::Strike;
 use crate::table::{Part, Rail, Shape, TOUCH_TOLERANCE, Table, arc_sides};
 
 /// Length of a cue, m: 58 in, the usual length.
-const LENGTH: f64 = 1.47;
+pub(super) const LENGTH: f64 = 1.47;
 /// Radius at the tip, m: a diameter of 13 mm; the WPA allows 14 mm.
 const TIP: f64 = 0.0065;
 /// Radius at the butt, m: a diameter of 29 mm, the usual one.
@@ -207,6 +207,20 @@ impl CueLine {
     /// cue. If there is none up to 80°, it is `stroke`.
     pub(super) fn default_elevation(&self, stroke: f64) -> f64 {
         self.least_from(stroke).filter(|least| *least <= STEEPEST_DEFAULT).unwrap_or(stroke)
+    }
+
+    /// How far (m) a cue at `elevation` is from the obstacle that it comes nearest to, across its axis
+    /// in its vertical plane; negative if it passes through.
+    pub(super) fn clearance(&self, elevation: f64) -> Option<(f64, Touched)> {
+        let behind = self.obstacles.iter().filter(|o| (o.polar - elevation).abs() < UPRIGHT);
+        let distances = behind.map(|obstacle| {
+            let (required, actual) = obstacle.required_and_actual(self.height, elevation);
+            // A cue passes above a rail, but above or below a ball in the air.
+            let is_ball = matches!(obstacle.shape, Section::Ball { .. });
+            let away = if is_ball { actual.abs() } else { actual };
+            (away - required, obstacle.what)
+        });
+        distances.min_by(|a, b| a.0.total_cmp(&b.0))
     }
 
     /// The ball or rail nearest to the tip that blocks a cue at `elevation`, even if it is raised

@@ -79,6 +79,19 @@ impl Table {
         }
     }
 
+    /// How deep (m, negative if apart) a ball of radius `radius` (m) on the cloth at `position` (m,
+    /// engine's frame) is in each cushion part beside it, by index.
+    pub(crate) fn depths_on_cloth(
+        &self,
+        position: Vec2,
+        radius: f64,
+    ) -> impl Iterator<Item = (usize, f64)> {
+        let reach = self.reach(radius);
+        let rubber = self.description.as_ref().map_or(0.0, |d| d.cushion_width);
+        let parts = self.parts_on_cloth().iter().enumerate();
+        parts.filter_map(move |(i, part)| Some((i, depth_in(part, position, reach, rubber)?)))
+    }
+
     /// The pocket that has captured a ball at `position`: the centre is beyond the lip of its hole
     /// by more than `overhang` (m), or in the rails beyond its gate.
     fn captured_at(&self, position: Vec2, reach: f64, overhang: f64, in_rails: bool) -> Option<u8> {

@@ -253,7 +253,7 @@ fn noise_varies_the_angle_that_was_used() {
 #[test]
 fn a_perceived_layout_has_the_default_elevation_of_its_own_balls() {
     let made = shot(1.27, "", BEHIND);
-    let perception = Perception { position: 0.01 };
+    let perception = Perception::round(0.01);
     let seen = perception.draw(&made, 3, 0).unwrap_or_else(|e| panic!("{e}"));
     assert!(seen.has_default_elevation());
     assert_eq!(seen.strike().map(|(_, s)| s.elevation), seen.least_elevation());

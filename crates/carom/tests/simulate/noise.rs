@@ -269,7 +269,7 @@ fn a_shot_without_a_strike_has_no_strike_to_vary() {
     let strikes = [shot.strike().expect("a strike").1];
     let without = shot.with_balls(shot.balls().to_vec(), None).expect("the balls are valid");
     let drawn = draw_strikes(&without, &Noise::default(), 1, 0, 0).map(|_| ());
-    let perception = Perception { position: 1e-3 };
+    let perception = Perception::round(1e-3);
     let errors = Errors { perception, ..Errors::default() };
     let runner = Runner::default();
     let seen = simulate_variants(&without, &strikes, &errors, 0, &runner).map(|_| ());
