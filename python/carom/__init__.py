@@ -19,7 +19,7 @@ from carom import notebook
 from carom._core import __version__
 from carom.arena import MatchReplay, MatchResult, play_match, replay_match
 from carom.batch import BatchResult, simulate_batch
-from carom.build import Layout, Physics, Strike, Table
+from carom.build import CuePose, Layout, MovedBall, Physics, Repaired, Strike, Table
 from carom.call import Call
 from carom.cloth import rolling_bands
 from carom.errors import (
@@ -82,6 +82,7 @@ __all__ = [
     "Call",
     "CaromError",
     "Chance",
+    "CuePose",
     "CushionTable",
     "Decision",
     "EndlessMotionError",
@@ -93,6 +94,7 @@ __all__ = [
     "Leave",
     "MatchReplay",
     "MatchResult",
+    "MovedBall",
     "Noise",
     "NoisyResult",
     "PageError",
@@ -103,6 +105,7 @@ __all__ = [
     "PositionMap",
     "PotMap",
     "Recommendation",
+    "Repaired",
     "Ruling",
     "Shot",
     "Situation",

@@ -152,7 +152,9 @@ class Layout:
         if given is not None:
             file["physics"] = given
         found, moved = _core.repaired(file, number("tolerance", tolerance))
-        return Repaired(Layout(tuple(found["balls"])), [MovedBall(*ball) for ball in moved])
+        return Repaired(
+            Layout(tuple(found["balls"])), [MovedBall(ball, (x, y)) for ball, (x, y) in moved]
+        )
 
     @classmethod
     def rack(

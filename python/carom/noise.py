@@ -146,6 +146,20 @@ class Noise:
             scaled["samples"] = [_times(row, factor) for row in self.samples]
         return replace(self, **scaled)
 
+    def mean(self) -> tuple[float, ...]:
+        """The mean error: speed (m/s), azimuth, elevation (rad), side, height (m)."""
+        mean, _ = _core.noise_moments(self, 0.0)
+        return tuple(mean)
+
+    def deviations(self, speed: float = 1.0) -> tuple[float, ...]:
+        """The standard deviations of all errors together, in the order and the units of ``mean``.
+
+        Args:
+            speed: The intended speed of the cue, m/s, on which ``speed_relative`` depends.
+        """
+        _, deviations = _core.noise_moments(self, number("speed", speed))
+        return tuple(deviations)
+
     def to_dict(self) -> dict[str, Any]:
         """Plain values, for files: all numbers, and of the rest what is not at its default."""
         values: dict[str, Any] = {name: getattr(self, name) for name in _NUMBERS}
@@ -232,28 +246,28 @@ class Perception:
         object.__setattr__(self, "position", position)
         correlation = number("perception.correlation", self.correlation)
         object.__setattr__(self, "correlation", correlation)
-        if not isinstance(self.balls, Mapping):
-            what = f"found {type(self.balls).__name__}; give a dict of errors by ball"
+        given: Any = self.balls
+        if not isinstance(given, Mapping):
+            what = f"found {type(given).__name__}; give a dict of errors by ball"
             raise InputError(f"perception.balls: {what}")
         balls = {
             text("perception.balls", ball, 'a ball\'s id, such as "cue"'): self._of_ball(
                 ball, error
             )
-            for ball, error in self.balls.items()
+            for ball, error in given.items()
         }
         object.__setattr__(self, "balls", balls)
         _core.check_perception(self)
 
     @staticmethod
-    def _of_ball(ball: str, error: Any) -> Perception:
-        if not isinstance(error, Perception):
-            try:
-                error = Perception(error)
-            except InputError as refused:
-                raise InputError(f"perception.balls[{ball!r}]: {refused}") from None
-        if error.balls:
+    def _of_ball(ball: str, error: float | Sequence[float] | Perception) -> Perception:
+        try:
+            found = error if isinstance(error, Perception) else Perception(error)
+        except InputError as refused:
+            raise InputError(f"perception.balls[{ball!r}]: {refused}") from None
+        if found.balls:
             raise InputError(f"perception.balls[{ball!r}].balls: a ball has no balls; remove it")
-        return error
+        return found
 
     @property
     def sigma(self) -> tuple[float, float]:
@@ -437,7 +451,7 @@ def _known(place: str, values: Any, keys: list[str]) -> Mapping[str, Any]:
     """The values, of which every key is one of ``keys``.
 
     Raises:
-        InputError: One is not, or the values are no mapping.
+        InputError: One is not, or the values are not a mapping.
     """
     if not isinstance(values, Mapping):
         raise InputError(f"{place}: found {type(values).__name__}; give a dict")

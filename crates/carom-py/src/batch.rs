@@ -110,6 +110,13 @@ pub(crate) fn check_noise(noise: &Bound<'_, PyAny>) -> PyResult<()> {
     options.noise().check().map_err(|e| to_exception(noise.py(), &e))
 }
 
+/// The mean and the standard deviations of the errors of a strike with this speed (m/s).
+#[pyfunction]
+pub(crate) fn noise_moments(noise: NoiseOptions, speed: f64) -> ([f64; 5], [f64; 5]) {
+    let noise = noise.noise();
+    (noise.mean(), noise.deviations(speed))
+}
+
 /// The shot with the strike and the cling of variant `index` of `seed`.
 #[pyfunction]
 pub(crate) fn variant(

@@ -35,12 +35,15 @@ pub(crate) fn break_presets(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     to_python(py, &carom::rack::break_presets())
 }
 
+/// The id of a ball, and by how much it moved, m.
+type MovedBallFields = (String, [f64; 2]);
+
 /// A shot file with overlapping balls apart, and the balls that moved: id, and by how much (m).
 #[pyfunction]
 pub(crate) fn repaired<'py>(
     file: &Bound<'py, PyAny>,
     tolerance: f64,
-) -> PyResult<(Bound<'py, PyAny>, Vec<(String, [f64; 2])>)> {
+) -> PyResult<(Bound<'py, PyAny>, Vec<MovedBallFields>)> {
     let py = file.py();
     let found = carom::format::repaired(&from_python(file)?, tolerance);
     let (file, moved) = found.map_err(|e| to_exception(py, &e))?;

@@ -318,7 +318,7 @@ impl Noise {
         core::array::from_fn(|k| sqrt(matrix[k][k]))
     }
 
-    /// This noise without its mean error: that of a player who knows it and allows for it
+    /// This noise without its mean error: that of a player whose intentions allow for it
     /// ([`Self::aim_for`]).
     #[must_use]
     pub fn centered(&self) -> Self {

@@ -9,7 +9,7 @@ from carom.arguments import number
 from carom.shot import Shot
 
 # Largest overlap of balls and cushions that an import removes, m: a tenth of a millimetre. Other
-# programs leave up to 0.014 mm; a larger overlap is no rounding.
+# programs leave up to 0.014 mm; a larger overlap is not rounding.
 TOLERANCE = 1e-4
 
 

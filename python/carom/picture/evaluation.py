@@ -10,6 +10,7 @@ from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.patches import Ellipse, PathPatch
 
 from carom.arguments import instance
+from carom.batch import own_strike
 from carom.errors import InputError
 from carom.picture import colors
 from carom.picture.balls import curve, draw_ball, draw_cue
@@ -20,6 +21,8 @@ from carom.picture.style import own_style
 from carom.plan import Evaluation
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
@@ -100,21 +103,32 @@ def variants(evaluation: Evaluation, count: int) -> list[Shot]:
 def _errors(evaluation: Evaluation) -> str:
     """The player's noise, in words."""
     noise = evaluation.noise
-    said = (
-        f"σ of the strike: {noise.speed:.3g} m/s, direction {math.degrees(noise.azimuth):.3g}°,\n"
-        f"  elevation {math.degrees(noise.elevation):.3g}°, "
-        f"tip {1e3 * noise.side_m:.3g} and {1e3 * noise.height_m:.3g} mm"
-    )
+    played = own_strike(evaluation.shot._core)
+    said = "σ of the strike: " + _five(noise.deviations(played[0]))
+    if any(noise.mean()):
+        said += "\nmean error: " + _five(noise.mean())
     if noise.cling_probability:
         said += (
             f"\ncling: {noise.cling_probability:.2g} of the contacts, "
             f"friction {noise.cling_friction:.2g}"
         )
-    if evaluation.perception.position:
-        said += (
-            f"\nσ of the balls' perceived positions: {1e3 * evaluation.perception.position:.3g} mm"
-        )
+    x, y = evaluation.perception.sigma
+    if x or y:
+        said += f"\nσ of the balls' perceived positions: {1e3 * x:.3g} mm"
+        said += "" if x == y else f" across and {1e3 * y:.3g} mm along the table"
+    if evaluation.perception.balls:
+        said += f"\nσ of its own: {', '.join(evaluation.perception.balls)}"
     return said
+
+
+def _five(errors: Sequence[float]) -> str:
+    """Errors of the five parameters of a strike, in words."""
+    speed, azimuth, elevation, side, height = errors
+    return (
+        f"{speed:.3g} m/s, direction {math.degrees(azimuth):.3g}°,\n"
+        f"  elevation {math.degrees(elevation):.3g}°, "
+        f"tip {1e3 * side:.3g} and {1e3 * height:.3g} mm"
+    )
 
 
 def _draw_fan(ax: Axes, evaluation: Evaluation) -> None:

@@ -79,7 +79,7 @@ class Search:
     wanted: int = 10
     per_route: int = 3
     azimuth_reach: tuple[float, float] | None = None
-    elevation_reach: tuple[float, float] | None = None
+    elevation_reach: tuple[float, ...] | None = None
     butt: tuple[Sequence[float], Sequence[float]] | None = None
 
     def __post_init__(self) -> None:

@@ -142,7 +142,7 @@ def solve(
 
     Raises:
         InputError: The goal is empty, there is no such ball or pocket, the shot has no strike, or
-            a number is out of range or is no range.
+            a number is out of range or is not a range.
     """
     struck = core_of(shot)
     goal = Goal(
@@ -150,8 +150,13 @@ def solve(
         None if leave is None else _disc(leave),
         None if first is None else ball_index(shot, first),
     )
-    reach = None if elevation is None or not hasattr(elevation, "__len__") else elevation
-    highest = numbers("elevation", reach, 2)[1] if reach is not None else elevation
+    reach: tuple[float, ...] | None = None
+    highest: float | None = None
+    if elevation is None or isinstance(elevation, int | float):
+        highest = elevation
+    else:
+        reach = numbers("elevation", elevation, 2)
+        highest = reach[1]
     search = Search(
         speed,
         offset,

@@ -478,7 +478,7 @@ def _noise(written: Any) -> Noise:
     if isinstance(written, str):
         return Noise.preset(written)
     given = _fields("noise", written, (*_NOISE, *_OLD_SIGMAS, *_NOISE_ROWS))
-    numbers = {}
+    numbers: dict[str, Any] = {}
     rows = {key: given[key] for key in _NOISE_ROWS if key in given}
     for key, value in given.items():
         if key in rows:

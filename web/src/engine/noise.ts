@@ -46,7 +46,8 @@ export function sigmasOf(noise: Noise, place = "noise"): Float64Array {
   const plain = numbers(place, { ...CLING, ...value }, NUMBERS);
   if (!FURTHER.some((key) => value[key] !== undefined)) return Float64Array.from(plain);
   const { speed_relative = 0, bias = [0, 0, 0, 0, 0] } = value;
-  const covariance = value.covariance === undefined ? [] : rows(`${place}.covariance`, value.covariance);
+  const covariance =
+    value.covariance === undefined ? [] : rows(`${place}.covariance`, value.covariance);
   if (covariance.length !== 0 && covariance.length !== 5) {
     const inner = `${place}.covariance`;
     throw new CaromError(`${inner}: found ${covariance.length} rows; write five rows`, inner);
@@ -73,7 +74,8 @@ function five(place: string, row: unknown): number[] {
 
 /** @throws CaromError if `list` is not a list of rows of five numbers. */
 function rows(place: string, list: unknown): number[][] {
-  if (!Array.isArray(list)) throw new CaromError(`${place}: found no list; write rows of five`, place);
+  if (!Array.isArray(list))
+    throw new CaromError(`${place}: found no list; write rows of five`, place);
   return list.map((row, i) => five(`${place}[${i}]`, row));
 }
 

@@ -27,7 +27,7 @@ const EXACT: f64 = 1e-10;
 /// How often the directions of the contacts are taken again. Each time the error is squared, so a few
 /// suffice; a layout that needs more is jammed.
 const ROUNDS: usize = 30;
-/// Most sweeps over the contacts with fixed directions. A frozen row of twenty balls needs some thousand.
+/// Most sweeps over the contacts with fixed directions. A frozen row of twenty balls needs a few thousand.
 const SWEEPS: usize = 20_000;
 /// The sweeps end when no contact changes by more, m.
 const STILL: f64 = 1e-13;
@@ -102,7 +102,7 @@ pub fn repair(
             table,
             (ball, limit),
             format!("overlaps {{}} by {depth:.3e} m and has no room to move away"),
-            "take a ball out, or give the measured positions anew",
+            "take a ball out, or measure the positions again",
         ));
     }
     let mut moved = Vec::new();

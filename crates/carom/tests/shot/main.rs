@@ -10,4 +10,5 @@ mod obstruction;
 mod rack_rules;
 mod ranges;
 mod refusals;
+mod repair;
 mod schema;

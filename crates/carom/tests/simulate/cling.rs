@@ -122,7 +122,7 @@ fn noisy() -> (ShotFile, Noise) {
 fn every_variant_is_an_ordinary_shot_that_replays_to_the_bit() {
     const N: usize = 60;
     let (shot, noise) = noisy();
-    let errors = Errors { noise, seed: 5, ..Errors::default() };
+    let errors = Errors { noise: noise.clone(), seed: 5, ..Errors::default() };
     let strikes = draw_strikes(&shot, &noise, N, 5, 100).expect("strikes");
     let one = Runner::new(Some(1)).expect("a thread");
     let rows = simulate_variants(&shot, &strikes, &errors, 100, &one).expect("rows");

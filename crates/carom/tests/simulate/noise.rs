@@ -82,9 +82,9 @@ fn parameters_indices_and_seeds_have_independent_errors() {
 #[test]
 fn changing_one_sigma_changes_no_other_parameter() {
     let all = Noise::olympiad(1.0);
-    let still = Noise { speed: 0.0, ..all };
+    let still = Noise { speed: 0.0, ..all.clone() };
     for index in 0..100 {
-        let [moved, kept] = [all, still].map(|n| n.draw(&MEANT, &BALL, 7, index));
+        let [moved, kept] = [&all, &still].map(|n| n.draw(&MEANT, &BALL, 7, index));
         assert_eq!(kept, Strike { speed: MEANT.speed, ..moved });
     }
     assert_eq!(Noise::default().draw(&MEANT, &BALL, 7, 3), MEANT);

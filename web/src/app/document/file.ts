@@ -93,6 +93,7 @@ function startOf(file: ShotFile): AimedShot {
     const still: { -readonly [K in keyof BallEntry]: BallEntry[K] } = { ...ball };
     delete still.velocity;
     delete still.angular_velocity;
+    delete still.rolling;
     return file.strike ? ball : still;
   });
   return aimed({ ...file, balls });
