@@ -15,7 +15,7 @@ pub(crate) fn perceive(
     frame: &Frame,
     draw: ErrorDraw,
 ) -> Result<Option<Frame>, Error> {
-    if perception.position == 0.0 {
+    if perception.is_exact() {
         return Ok(None);
     }
     let layout = frame.layout();
@@ -50,7 +50,7 @@ mod tests {
     fn a_player_sees_the_balls_a_little_off_their_places() {
         let frame = frame();
         let sees = |position, index| {
-            perceive(&Perception { position }, &frame, ErrorDraw { seed: 2, index }).unwrap()
+            perceive(&Perception::round(position), &frame, ErrorDraw { seed: 2, index }).unwrap()
         };
         assert!(sees(0.0, 0).is_none());
         let [one, other] = [0, 1].map(|index| sees(0.001, index).unwrap());

@@ -30,8 +30,8 @@ mod _core {
     use crate::arena::{pair_interval, play_match, replay_match};
     #[pymodule_export]
     use crate::batch::{
-        check_noise, check_perception, draw_strikes, noise_moments, noise_presets, olympiad, see, simulate_batch,
-        simulate_strikes, simulate_variants, variant,
+        check_noise, check_perception, draw_strikes, noise_moments, noise_presets, olympiad, see,
+        simulate_batch, simulate_strikes, simulate_variants, variant,
     };
     #[pymodule_export]
     use crate::env::{VectorEnv, foul_words, meanings, tasks};
