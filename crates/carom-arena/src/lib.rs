@@ -21,7 +21,7 @@
 //!
 //! # fn main() -> Result<(), Error> {
 //! let settings = MatchSettings {
-//!     noise: [Noise::olympiad(1.0); 2],
+//!     noise: [Noise::olympiad(1.0), Noise::olympiad(1.0)],
 //!     clock: [Clock::simulations(2000); 2],
 //!     ..MatchSettings::new(Rules::NineBall)
 //! };

@@ -52,7 +52,7 @@ impl Reach {
     /// The azimuth at a `share` of the range.
     pub(crate) fn azimuth_at(&self, share: f64) -> f64 {
         match self.azimuth {
-            Some([first, last]) => first + turn(first, last) * share,
+            Some([first, last]) => (first + turn(first, last) * share).rem_euclid(TAU),
             None => TAU * share,
         }
     }

@@ -379,7 +379,11 @@ impl Solver<'_> {
     fn intended(&self, strike: &Strike) -> Strike {
         let Some((ball, _)) = self.shot.strike() else { return *strike };
         let struck = StruckBall::of(self.shot, &self.shot.balls()[ball].ball);
-        self.search.model.noise.aim_for(strike, &struck)
+        let strike = self.search.model.noise.aim_for(strike, &struck);
+        // A refinement near 0 may end beyond a full turn.
+        let is_wound = strike.azimuth.abs() > TAU;
+        let azimuth = if is_wound { strike.azimuth.rem_euclid(TAU) } else { strike.azimuth };
+        Strike { azimuth, ..strike }
     }
 
     /// The strikes with their chances, the greatest first.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom import _core, columns
@@ -153,7 +153,7 @@ class Evaluation:
             "n": self.n,
             "seed": self.seed,
             "level": self.level,
-            "noise": asdict(self.noise),
+            "noise": self.noise.to_dict(),
             "perception": {"position": self.perception.position},
             "balls": self.shot.ids,
             "pockets": list(self.pockets),
