@@ -154,7 +154,7 @@ class Evaluation:
             "seed": self.seed,
             "level": self.level,
             "noise": self.noise.to_dict(),
-            "perception": {"position": self.perception.position},
+            "perception": self.perception.to_dict(),
             "balls": self.shot.ids,
             "pockets": list(self.pockets),
             "potted": self.potted.tolist(),
