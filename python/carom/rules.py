@@ -168,16 +168,8 @@ class Frame:
                 move's index.
             EventCapError: As for ``play``.
         """
-        if not isinstance(record, Mapping) or record.get("format") != _FORMAT:
-            raise InputError(
-                f'format: not a record of a frame, "{_FORMAT}"; give the value of Frame.record'
-            )
-        setup, moves = record.get("setup"), record.get("moves")
-        if not isinstance(setup, Mapping) or not isinstance(moves, Sequence):
-            raise InputError(
-                "record: setup or moves is missing or has a wrong type; "
-                "give the value of Frame.record"
-            )
+        _core.check_record(record)
+        setup, moves = record["setup"], record["moves"]
         if "target" in setup:
             # The key of records before the rename; a record is a file, so it is read silently.
             setup = {("points" if key == "target" else key): setup[key] for key in setup}

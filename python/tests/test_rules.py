@@ -305,11 +305,14 @@ def test_refused_moves_are_not_recorded() -> None:
     [
         (lambda record: record.update(format="carom-shot/1"), "format"),
         (lambda record: record.pop("moves"), "record"),
-        (lambda record: record["setup"].update(colour="red"), "setup"),
+        (lambda record: record["setup"].update(colour="red"), r"setup\.colour: unknown key"),
+        (lambda record: record.update(setup=[]), "setup: found "),
+        (lambda record: record["setup"].pop("game"), r"setup\.game"),
         (lambda record: record["setup"].update(game="golf"), "game"),
         (lambda record: record["moves"].insert(1, {"choice": "golf"}), r"moves\[1\]"),
         (lambda record: record["moves"].append({}), r"moves\[4\]"),
-        (lambda record: record["moves"][0]["play"].update(spin=1), r"moves\[0\]: play"),
+        (lambda record: record["moves"][0]["play"].update(spin=1), r"moves\[0\]\.play\.spin"),
+        (lambda record: record["moves"][0].update(because=1), r"moves\[0\]\.because"),
         (lambda record: record["moves"][0]["play"]["strike"].pop("speed"), r"moves\[0\]: play"),
     ],
 )

@@ -50,7 +50,7 @@ mod _core {
     #[pymodule_export]
     use crate::rolling::rolling_bands;
     #[pymodule_export]
-    use crate::rules::{Frame, rule_sets};
+    use crate::rules::{Frame, check_record, rule_sets};
     #[pymodule_export]
     use crate::shot::{Shot, check_part};
     #[pymodule_export]

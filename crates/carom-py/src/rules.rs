@@ -98,6 +98,13 @@ impl AnswerArguments {
 /// The word with which a player gives up the frame.
 const CONCEDE: &str = "concede";
 
+/// Checks the keys of a frame's record and the types of its parts.
+#[pyfunction]
+pub(crate) fn check_record(record: &Bound<'_, PyAny>) -> PyResult<()> {
+    let node = from_python(record)?;
+    carom_rules::check_record(&node).map_err(|error| to_exception(record.py(), &error))
+}
+
 /// A game in progress.
 #[pyclass(frozen, module = "carom._core")]
 pub(crate) struct Frame(Mutex<carom_rules::Frame>);

@@ -26,6 +26,13 @@ pub fn usual_table(game: &str) -> Result<String, JsValue> {
     Ok(rules.rack().table().into())
 }
 
+/// Checks the keys of a frame's record and the types of its parts.
+#[wasm_bindgen(js_name = checkRecord)]
+pub fn check_record(json: &str) -> Result<(), JsValue> {
+    let read = Node::from_json(json);
+    read.and_then(|record| carom_rules::check_record(&record)).map_err(|e| to_exception(&e))
+}
+
 /// A game in progress.
 #[wasm_bindgen]
 pub struct Frame(pub(crate) carom_rules::Frame);

@@ -241,6 +241,10 @@ class WasmEngine implements Engine {
     return new WasmFrame(frame, () => ({ game, shot: JSON.parse(file) as ShotFile, ...written }));
   }
 
+  checkRecord(record: FrameRecord): void {
+    checked(() => wasm.checkRecord(json(record)));
+  }
+
   replay(record: FrameRecord): Frame {
     return replay(this, record);
   }

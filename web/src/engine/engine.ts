@@ -108,6 +108,11 @@ export interface Engine {
    */
   frameOf(game: string, shot: Shot, terms?: FrameTerms): Frame;
   /**
+   * Checks the keys of a record and the types of its parts, without playing it.
+   * @throws CaromError that names the place.
+   */
+  checkRecord(record: FrameRecord): void;
+  /**
    * The frame of a record, with every move repeated. The same version of the engine gives the same frame,
    * to the bit; with another version a shot may end differently, and a later move may then be refused.
    * @throws CaromError if this is not a record, or a move is not allowed; the message has the move's index.

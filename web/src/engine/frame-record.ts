@@ -11,7 +11,7 @@ export const FRAME_FORMAT = "carom-frame/1";
 const REMEDY = "give the value of Frame.record";
 
 /** What a record is replayed with. */
-type Replayer = Pick<Engine, "frame" | "frameOf" | "shot" | "version">;
+type Replayer = Pick<Engine, "frame" | "frameOf" | "shot" | "version" | "checkRecord">;
 
 /**
  * The frame of a record, with every move repeated.
@@ -30,17 +30,8 @@ export function* replaySteps(
   engine: Replayer,
   record: unknown,
 ): Generator<undefined, Frame, undefined> {
-  const { format, engine: made, setup, moves } = object("record", record) as Partial<FrameRecord>;
-  if (format !== FRAME_FORMAT) {
-    const message = `format: not a record of a frame, "${FRAME_FORMAT}"; ${REMEDY}`;
-    throw new CaromError(message, "format");
-  }
-  if (typeof setup !== "object" || (setup as unknown) === null || !Array.isArray(moves)) {
-    throw new CaromError(
-      `record: setup or moves is missing or has a wrong type; ${REMEDY}`,
-      "record",
-    );
-  }
+  const { engine: made, setup, moves } = object("record", record) as FrameRecord;
+  engine.checkRecord(record as FrameRecord);
   const frame = start(engine, setup);
   for (const [index, move] of (moves as readonly unknown[]).entries()) {
     yield;

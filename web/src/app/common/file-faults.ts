@@ -12,16 +12,27 @@ import { ballName } from "./words.ts";
 export type Balls = readonly { readonly id?: unknown }[];
 
 /** Parts in which the places of a file can be: a trace has its shot, a game its start and its plays. */
-const PARTS =
-  /^(?:(?:shot|from|setup|options|game|study|play|record|moves\[\d+\])(?:\.|$))+(?=[a-z])/;
+const PART = /^(?:shot|from|setup|options|game|study|play|record|moves\[\d+\])$/;
+
+/** A place without the parts that contain it. */
+function withoutParts(place: string): string {
+  let at = 0;
+  for (;;) {
+    const dot = place.indexOf(".", at);
+    if (dot < 0 || !PART.test(place.slice(at, dot)) || !/^[a-z]/.test(place.charAt(dot + 1))) {
+      return place.slice(at);
+    }
+    at = dot + 1;
+  }
+}
 
 /** Faults by the engine's words for them, from the rarest to the most general. */
 const FAULTS: readonly (readonly [
   pattern: RegExp,
   text: (where: string, found: RegExpExecArray) => string,
 ])[] = [
-  [/not JSON.*line (\d+)/s, (_, [, line]) => t("fault.not-json", { line: Number(line) })],
-  [/^"(.*)" is already the id of/, (_, [, id]) => t("fault.same-id", { id: id! })],
+  [/not JSON/, (where, { input }) => notJson(input) ?? t("fault.other", { where })],
+  [/^"(.*)" is already the id of/s, (_, [, id]) => t("fault.same-id", { id: id! })],
   [/^found (\d+) balls/, (_, [, count]) => t("fault.balls", { count: Number(count) })],
   [
     /^(?:no ball has the id|there is no ball) "?([^"]*)"?/,
@@ -36,9 +47,9 @@ const FAULTS: readonly (readonly [
     (_, [, word]) => t("fault.unknown-word", { where: t("where.game"), word: word! }),
   ],
   [/^not a play, a choice/, () => t("fault.no-move")],
-  [/^ball .* is already moving/, (where) => t("fault.moves", { where })],
-  [/^ball .* does not lie on the cloth/, (where) => t("fault.not-on-cloth", { where })],
-  [/^the ball is .* deep in the slate/, (where) => t("fault.in-slate", { where })],
+  [/^ball .* is already moving/s, (where) => t("fault.moves", { where })],
+  [/^ball .* does not lie on the cloth/s, (where) => t("fault.not-on-cloth", { where })],
+  [/^the ball is .* deep in the slate/s, (where) => t("fault.in-slate", { where })],
   [/^a ball of radius/, (where) => t("fault.radius", { where })],
   [/hash to/, () => t("fault.changed")],
   [/^the shot has no strike/, () => t("fault.no-strike")],
@@ -55,11 +66,20 @@ const FAULTS: readonly (readonly [
   [/^found /, (where) => t("fault.kind", { where })],
 ];
 
+/** The line in which a text is not JSON, as a sentence; null if the message has none. */
+function notJson(message: string): string | null {
+  const at = message.lastIndexOf("line ");
+  const line = at < 0 ? NaN : parseInt(message.slice(at + "line ".length), 10);
+  return Number.isNaN(line) ? null : t("fault.not-json", { line });
+}
+
 /** The fault without the engine's words. */
 export function faultText(message: string, place: string, balls: Balls): string {
   const what = message.startsWith(`${place}: `) ? message.slice(place.length + 2) : message;
   // The place of an unknown key is the key itself.
-  const at = what.startsWith("unknown key") ? place.replace(/\.?[^.]*$/, "") : place;
+  const at = what.startsWith("unknown key")
+    ? place.slice(0, Math.max(0, place.lastIndexOf(".")))
+    : place;
   const where = whereText(at, balls);
   for (const [pattern, text] of FAULTS) {
     const found = pattern.exec(what);
@@ -92,7 +112,7 @@ export function ballAt(place: string, balls: Balls): string | null {
 
 /** A place of a file as players say it. */
 function whereText(place: string, balls: Balls): string {
-  const own = place.replace(PARTS, "");
+  const own = withoutParts(place);
   const name = nameOf(own);
   if (name !== null) return name;
   const ball = ballAt(own, balls);

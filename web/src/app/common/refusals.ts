@@ -32,15 +32,15 @@ const LARGEST = 1e9;
 /** Patterns of the engine's messages, in the crates `carom` and `carom-rules`. */
 const RULES: readonly Rule[] = [
   [
-    /ball "(.*)" overlaps balls\[\d+\] \("(.*)"\) by (\S+) m/,
-    ([, id, other, depth]) =>
-      sentence(
-        t("error.overlap", {
-          ball: ballName(id!),
-          other: ballName(other!),
-          depth: depthText(Number(depth)),
-        }),
-      ),
+    /" overlaps balls\[\d+\] \("/,
+    ({ input }) => {
+      const id = between(input, 'ball "', '" overlaps balls[');
+      const other = between(input, '] ("', '") by ');
+      const depth = parseFloat(input.slice(input.lastIndexOf('") by ') + '") by '.length));
+      if (id === null || other === null || Number.isNaN(depth)) return null;
+      const names = { ball: ballName(id), other: ballName(other) };
+      return sentence(t("error.overlap", { ...names, depth: depthText(depth) }));
+    },
   ],
   [
     /m deep in the \w+ of the ([\w-]+) cushion/,
@@ -58,9 +58,14 @@ const RULES: readonly Rule[] = [
   [/a miscue: /, () => t("error.miscue")],
   [/the tip would miss the ball/, () => t("error.off-ball")],
   [
-    /the cue would pass through (?:ball "(.*?)"|the ([\w-]+) rail); (?:raise the elevation to (\S+))?/,
-    ([, id, rail, least]) =>
-      obstructionBy(id ?? rail ?? "", least === undefined ? null : Number(least)),
+    /the cue would pass through /,
+    ({ input }) => {
+      const by =
+        between(input, 'pass through ball "', '"; ') ??
+        between(input, "pass through the ", " rail; ");
+      const least = parseFloat(between(input, "raise the elevation to ", "") ?? "");
+      return by === null ? null : obstructionBy(by, Number.isNaN(least) ? null : least);
+    },
   ],
   [
     /^noise\.(\w+): \S+ is out of range/,
@@ -82,14 +87,22 @@ const RULES: readonly Rule[] = [
     [/^call: a safety is not called/, "error.no-safety"],
     [/^call: a push-out is allowed only/, "error.no-push-out"],
     [/^call: that ball cannot be nominated/, "error.wrong-nomination"],
-    [/^cue_ball: .* is not behind the head string/, "error.hand.behind-head-string"],
-    [/^cue_ball: .* is not in the D/, "error.hand.the-d"],
-    [/^cue_ball: .* is not on the table/, "error.hand.on-table"],
+    [/^cue_ball: .* is not behind the head string/s, "error.hand.behind-head-string"],
+    [/^cue_ball: .* is not in the D/s, "error.hand.the-d"],
+    [/^cue_ball: .* is not on the table/s, "error.hand.on-table"],
     [/^cue_ball: it would touch another ball/, "error.hand.touches"],
-    [/^choice: ".*" is not among the choices/, "error.not-a-choice"],
+    [/^choice: ".*" is not among the choices/s, "error.not-a-choice"],
     [/^concede: the frame is over/, "error.frame-over"],
   ]),
 ];
+
+/** The text between the first `from` and the next `to`; null if one of them is missing. */
+function between(text: string, from: string, to: string): string | null {
+  const start = text.indexOf(from) + from.length;
+  if (start < from.length) return null;
+  const end = to === "" ? text.length : text.indexOf(to, start);
+  return end < 0 ? null : text.slice(start, end);
+}
 
 function sentences(rules: readonly (readonly [RegExp, PlainKey])[]): Rule[] {
   return rules.map(([pattern, key]) => [pattern, () => sentence(t(key))]);
@@ -146,7 +159,7 @@ function rangeText(wanted: string): string | null {
   if (wanted.startsWith("a number greater than 0")) return t("error.range.positive");
   if (wanted.startsWith("a number ≥ 0")) return t("error.range.not-negative");
   const [, open, low, high, close, unit] =
-    /^a number in ([[(])(\S+), (\S+)([\])])(.*)$/.exec(wanted) ?? [];
+    /^a number in ([[(])([^,\s]+), ([^\])\s]+)([\])])((?: [^\s(]+)?)/.exec(wanted) ?? [];
   if (open === undefined) return null;
   const ends = { low: Number(low), high: Number(high), unit: unit! };
   if (open === "(") return t("error.range.above-to", ends);

@@ -116,7 +116,7 @@ const TOKENS: readonly (readonly [Kind, RegExp])[] = [
   ["open", /\(/y],
   ["close", /\)/y],
   ["comment", /\{((?:\\[\\}]|[^}\\])*)\}/y],
-  ["number", /\d+\.(?=\s)/y],
+  ["number", /(\d+\.)\s/y],
   ["mark", /\*/y],
   ["string", /"(?:[^"\\]|\\.)*"/y],
   ["pair", /\w+=[^\s(){}]+/y],
@@ -142,9 +142,9 @@ class Reader {
     while (this.#peek()) {
       const tag = this.#take()!;
       if (tag.kind !== "tag") throw wrong(tag);
-      const layout = /^Layout (.*)$/.exec(tag.text)?.[1];
       // Other tags are for people: a title, a date.
-      if (layout !== undefined) yield* this.#line(null, layoutOf(layout, tag));
+      if (!tag.text.startsWith(LAYOUT)) continue;
+      yield* this.#line(null, layoutOf(tag.text.slice(LAYOUT.length), tag));
     }
     return { nodes: this.#nodes, at: this.#at ?? this.#nodes.at(-1)?.id ?? null };
   }
@@ -224,6 +224,11 @@ function layoutOf(json: string, tag: Token): Omit<ShotFile, "strike"> {
   }
 }
 
+/** What the tag of a layout begins with; JSON follows, in which an id may have any character. */
+const LAYOUT = "Layout ";
+
+const SPACE = /\s*/y;
+
 function tokensOf(text: string): Token[] {
   const tokens: Token[] = [];
   let at = 0;
@@ -233,7 +238,8 @@ function tokensOf(text: string): Token[] {
     at += length;
   };
   for (;;) {
-    skip(/^\s*/.exec(text.slice(at))![0].length);
+    SPACE.lastIndex = at;
+    skip(SPACE.exec(text)![0].length);
     if (at >= text.length) return tokens;
     const found = TOKENS.map(([kind, pattern]) => {
       pattern.lastIndex = at;

@@ -70,11 +70,12 @@ function* frameOf(engine: Engine, record: FrameRecord): Slices<Frame> {
     return yield* replaySteps(engine, record);
   } catch (error) {
     if (!(error instanceof CaromError)) throw error;
-    const index = /^moves\[(\d+)\]$/.exec(error.place)?.[1];
-    if (index === undefined) throw error;
+    const [whole, index] = /^moves\[(\d+)\](?:\.|$)/.exec(error.place) ?? [];
+    if (whole === undefined) throw error;
     // The engine's message begins with the place, which is a number of the file.
-    const message = error.message.slice(`${error.place}: `.length);
-    const why = errorText(new CaromError(message, error.place, error.shot));
+    const inner = error.place.slice(whole.length);
+    const message = error.message.slice(inner === "" ? `${whole}: `.length : whole.length);
+    const why = errorText(new CaromError(message, inner === "" ? whole : inner, error.shot));
     throw new PageError(t("link.move", { number: Number(index) + 1, why }), error.place);
   }
 }

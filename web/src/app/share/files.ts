@@ -11,6 +11,7 @@ import type { Store } from "../document/store.ts";
 import { replay } from "../replay/control.ts";
 import { inSlicesUnlessReplaced } from "../common/slices.ts";
 import { openText } from "./address.ts";
+import { linkIn } from "./link.ts";
 import { decimal, t } from "../words/translate.ts";
 
 /** The largest file that is read, bytes: ten times the longest trace of a break. */
@@ -31,8 +32,8 @@ export async function openFile(file: File, store: Store, context: Context): Prom
     store.refuse(t("open.unreadable", { file: file.name }));
     return;
   }
-  const link = /^\s*\S*(#s=\S+)\s*$/.exec(text)?.[1];
-  if (link !== undefined) {
+  const link = linkIn(text);
+  if (link !== null) {
     await openText(store, context, link);
     return;
   }

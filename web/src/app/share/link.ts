@@ -33,6 +33,19 @@ export function isLink(fragment: string): boolean {
   return fragment.startsWith(KEY);
 }
 
+/**
+ * The link in a text that holds nothing else: an address, or the fragment alone; null if there is none.
+ *
+ * A file of strangers may be long: this reads it a fixed number of times, and no pattern searches it.
+ */
+export function linkIn(text: string): string | null {
+  const link = text.trim();
+  // Behind the key at least the version follows.
+  const at = link.lastIndexOf(KEY, Math.max(0, link.length - KEY.length - 1));
+  const isLinkAlone = at >= 0 && link.length > at + KEY.length && !/\s/.test(link);
+  return isLinkAlone ? link.slice(at) : null;
+}
+
 /** The fragment, with its `#`, for plain data. */
 export function toFragment(data: unknown): string {
   return `${KEY}${VERSION}.${toBase64Url(zlibSync(strToU8(toJson(data)), { level: 9 }))}`;
@@ -81,7 +94,10 @@ function adler32(bytes: Uint8Array): number {
 function toBase64Url(bytes: Uint8Array): string {
   let binary = "";
   for (const byte of bytes) binary += String.fromCharCode(byte);
-  return btoa(binary).replaceAll("+", "-").replaceAll("/", "_").replace(/=+$/, "");
+  return btoa(binary)
+    .replaceAll("+", "-")
+    .replaceAll("/", "_")
+    .replace(/={1,2}$/, "");
 }
 
 function fromBase64Url(text: string): Uint8Array {

@@ -58,6 +58,14 @@ const OTHERS = [
 /** Longest label that is readable on a ball, characters. */
 const LABEL_LENGTH = 2;
 
+/** An id without the number behind it, and without what is between them. */
+function stem(id: string): string {
+  let end = id.length;
+  while (end > 0 && "0123456789".includes(id[end - 1]!)) end -= 1;
+  while (end > 0 && "-_ ".includes(id[end - 1]!)) end -= 1;
+  return id.slice(0, end);
+}
+
 /**
  * The look of a ball.
  *
@@ -71,7 +79,7 @@ export function look(id: string, index: number, carom = false): Look {
     const [body, path] = POOL[(number - 1) % 8]!;
     return { body, path, striped: number > 8, label: String(number), dots: "" };
   }
-  const name = id.toLowerCase().replace(/[-_ ]*\d*$/, "");
+  const name = stem(id.toLowerCase());
   const named = Object.hasOwn(NAMED, name) ? NAMED[name] : undefined;
   if (named) {
     const [body, path, dots] = named;

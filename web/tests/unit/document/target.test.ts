@@ -1,7 +1,7 @@
 /** The struck ball keeps its target when it is moved. */
 
 import { describe, expect, test } from "vitest";
-import { load, type PotAim } from "../../../src/engine/index.ts";
+import { load } from "../../../src/engine/index.ts";
 import type { AimedShot } from "../../../src/app/document/document.ts";
 import { documentOf } from "../../../src/app/document/file.ts";
 import { placeBall } from "../../../src/app/document/layout.ts";

@@ -18,6 +18,7 @@ import {
   treeReading,
   treeToText,
 } from "../../../src/app/document/tree-text.ts";
+import { fromFragment, toFragment } from "../../../src/app/share/link.ts";
 import { atOnce } from "../../../src/app/common/slices.ts";
 
 const engine = await load();
@@ -149,4 +150,34 @@ test("the engine is asked once for the dated names of shots from one layout", ()
   expect(dated.nodes.map(({ shot }) => shot)).toEqual(
     many.nodes.map(({ shot }) => engine.withDatedNames(shot)),
   );
+});
+
+describe("an id of any characters", () => {
+  // Seen: the page refused its own link when a ball's name had U+2028 or U+2029.
+  test.each([
+    ["a line separator", "\u2028"],
+    ["a paragraph separator", "\u2029"],
+    ["the next line of Latin-1", "\u0085"],
+    ["a line feed", "\n"],
+    ["a carriage return", "\r"],
+    ["a vertical tab", "\v"],
+    ["a byte order mark", "\uFEFF"],
+    ["an override of the direction", "\u202E"],
+    ["an isolate of the direction", "\u2066"],
+    ["a null", "\0"],
+    ["brackets, braces and quotes", '[](){}"*\\'],
+    ["the text of a tag", ']\n[Layout {"balls": []}]\n1. "'],
+    ["an emoji", "🎱"],
+  ])("is read again from the text and from the link of a tree: %s", (_, characters) => {
+    const named = `a${characters}b`;
+    const balls = FIRST.balls.map((ball) => (ball.id === "9" ? { ...ball, id: named } : ball));
+    const struck = { ...FIRST, balls, strike: { ...FIRST.strike, ball: named } };
+    const tree = withComment(played({ ...FIRST, balls }, struck), 1, `so${characters}so`);
+    const read = treeFromText(treeToText(tree), of);
+    expect(read.nodes.map(({ shot }) => shot)).toEqual(tree.nodes.map(({ shot }) => shot));
+    expect(fromFragment(toFragment({ shot: struck, tree: treeToText(tree) }))).toEqual({
+      shot: struck,
+      tree: treeToText(tree),
+    });
+  });
 });

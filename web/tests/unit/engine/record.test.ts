@@ -180,23 +180,49 @@ test("a record that cannot be replayed is refused, with the index of the move", 
   };
   expect(refusal(null).place).toBe("record");
   expect(refusal({ ...record, format: "carom-shot/1" }).place).toBe("format");
-  expect(refusal({ ...record, setup: 3 }).place).toBe("record");
+  expect(refusal({ ...record, setup: 3 }).place).toBe("setup");
   expect(refusal({ ...record, setup: null }).place).toBe("record");
-  expect(refusal({ ...record, moves: {} }).place).toBe("record");
+  expect(refusal({ ...record, moves: {} }).place).toBe("moves");
   expect(refusal({ ...record, setup: { ...record.setup, game: "croquet" } }).place).toBe("game");
   const play = { play: { strike: STRIKE } };
   const second = (move: unknown) => refusal({ ...record, moves: [play, move] });
-  for (const move of [
-    { choice: "rebreak" },
-    { play: 3 },
-    { concede: false },
-    {},
-    null,
-    { play: { strike: STRIKE, call: 3 } },
-  ]) {
+  for (const move of [{ choice: "rebreak" }, { concede: false }, {}, null]) {
     expect(second(move).place).toBe("moves[1]");
     expect(second(move).message).toMatch(/^moves\[1\]: .+; .+/);
   }
+  expect(second({ play: 3 }).place).toBe("moves[1].play");
+  expect(second({ play: { strike: STRIKE, call: 3 } }).place).toBe("moves[1].play.call");
+});
+
+describe("a record with a key that frames do not know is refused, as in Python", () => {
+  // Seen: Python refused the keys of a setup, and the page and the npm engine ignored them; `"setup": []`
+  // was "found undefined".
+  const { record } = engine.frame("nine-ball");
+  const place = (changed: object): string => {
+    try {
+      engine.replay({ ...record, ...changed }).free();
+    } catch (error) {
+      if (error instanceof CaromError) return `${error.place}|${error.message}`;
+      throw error;
+    }
+    return "accepted";
+  };
+  test.each([
+    [{ setup: { ...record.setup, colour: "red" } }, /^setup\.colour\|setup\.colour: unknown key/],
+    [{ setup: [] }, /^setup\|setup: found .*; write an object/],
+    [{ setup: {} }, /^setup\.game\|/],
+    [
+      { moves: [{ play: { strike: STRIKE, spin: 1 } }] },
+      /^moves\[0\]\.play\.spin\|moves\[0\]\.play\.spin: unknown key/,
+    ],
+    [{ moves: [{ choice: "play-on", because: 1 }] }, /^moves\[0\]\.because\|/],
+    [
+      { moves: [{ play: { strike: STRIKE, call: { kind: "safety", cushion: 1 } } }] },
+      /^moves\[0\]\.play\.call\.cushion\|/,
+    ],
+  ])("%j", (changed, refusal) => {
+    expect(place(changed)).toMatch(refusal);
+  });
 });
 
 test("the successors of a play are those of its variants", () => {

@@ -33,9 +33,18 @@ const VISIBLE = new Set([
 ]);
 
 /** Attributes, variables and calls whose texts are for the browser, or details for programmers. */
-const TECHNICAL = new Set(["class", "d", "viewBox", "accept", "SHEET", "DARK", "TEXT_CONTROLS"]);
+const TECHNICAL = new Set([
+  "class",
+  "d",
+  "viewBox",
+  "accept",
+  "SHEET",
+  "DARK",
+  "TEXT_CONTROLS",
+  "LAYOUT",
+]);
 const FOR_BROWSER =
-  /^(?:querySelector(?:All)?|closest|matches|matchMedia|input|mark|log|replace|startsWith|broken)$/;
+  /^(?:querySelector(?:All)?|closest|matches|matchMedia|input|mark|log|replace|startsWith|lastIndexOf|between|broken)$/;
 
 /** Two words, or a word with a capital letter. */
 const PROSE = /[A-Za-z]{2,} [A-Za-z]{2,}|^[A-Z][a-z]+[ .:!?]/;
