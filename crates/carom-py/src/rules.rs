@@ -267,7 +267,7 @@ impl Frame {
     /// 16 hex digits over the whole state.
     #[getter]
     fn hash(&self) -> String {
-        format!("{:016x}", self.0.hash())
+        format!("{:016x}", self.with(|frame| frame.hash()))
     }
 }
 
