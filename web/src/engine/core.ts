@@ -6,7 +6,7 @@ import { boolean, json, named, numbers, object, text, whole } from "./arguments.
 import type { BreakOptions, Engine, RollingBand, RollingOptions } from "./engine.js";
 import { CaromError } from "./error.js";
 import { FRAME_FORMAT, replay } from "./frame-record.js";
-import { Handle, checked } from "./handle.js";
+import { Handle, checked, uncloneable } from "./handle.js";
 import { namedSigmas, sigmasOf } from "./noise.js";
 import * as wasm from "./pkg/carom_wasm.js";
 import type { Player, PlayerOptions } from "./player.js";
@@ -301,7 +301,12 @@ function frameHandleOf(frame: Frame): wasm.Frame {
   throw new TypeError("this is not a frame of this engine; make it with Engine.frame");
 }
 
+const SHOT = uncloneable("a shot", "send shot.file, and read it with engine.shot");
+const TRACE = uncloneable("a trace", "send trace.json(), and read it with engine.trace");
+const FRAME = uncloneable("a frame", "send frame.record, and restore it with engine.replay");
+
 class WasmShot implements Shot {
+  readonly kind = SHOT;
   readonly handle: Handle<wasm.Shot>;
   #file: ShotFile | undefined;
   #geometry: Geometry | undefined;
@@ -485,6 +490,7 @@ function toBatch(batch: wasm.Batch): Batch {
 }
 
 class WasmTrace implements Trace {
+  readonly kind = TRACE;
   readonly #handle: Handle<wasm.Trace>;
   readonly duration: number;
   readonly end: TraceEnd;
@@ -553,6 +559,7 @@ class WasmTrace implements Trace {
 }
 
 class WasmFrame implements Frame {
+  readonly kind = FRAME;
   readonly handle: Handle<wasm.Frame>;
   readonly #setup: () => FrameRecord["setup"];
   readonly #moves: FrameMove[];

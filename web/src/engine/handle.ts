@@ -15,6 +15,14 @@ export function checked<T>(call: () => T): T {
   }
 }
 
+/**
+ * A value for an own property of objects in WebAssembly's memory. `structuredClone` and `postMessage` cannot
+ * copy a symbol, and their error has its text; without it they would make an empty object, in silence.
+ */
+export function uncloneable(what: string, remedy: string): symbol {
+  return Symbol(`${what} of the engine, which cannot be cloned: ${remedy}`);
+}
+
 /** An object in WebAssembly's memory, until it is freed. */
 export class Handle<T extends { free(): void }> {
   readonly #kind: string;

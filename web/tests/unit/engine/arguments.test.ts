@@ -56,6 +56,20 @@ describe("a freed object", () => {
   });
 });
 
+test("an object of the engine that is cloned says that it cannot be, with the remedy", () => {
+  // Seen: structuredClone(frame) and postMessage(frame) gave an empty object without an error.
+  const [trace, frame] = [shot.simulate(), engine.frame("nine-ball")];
+  for (const [object, remedy] of [
+    [frame, /a frame of the engine, which cannot be cloned: send frame\.record/],
+    [shot, /a shot of the engine, which cannot be cloned: send shot\.file/],
+    [trace, /a trace of the engine, which cannot be cloned: send trace\.json\(\)/],
+  ] as const) {
+    expect(() => structuredClone(object)).toThrow(remedy);
+    expect(() => structuredClone({ inside: [object] })).toThrow(remedy);
+  }
+  expect(engine.replay(structuredClone(frame.record)).hash).toBe(frame.hash);
+});
+
 describe("a strike may be written as in a shot file", () => {
   const inDegrees = shot.withStrike({ speed: 2, azimuth_deg: 62, elevation_deg: 5 });
 
