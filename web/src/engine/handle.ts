@@ -17,7 +17,7 @@ export function checked<T>(call: () => T): T {
 
 /**
  * A value for an own property of objects in WebAssembly's memory. `structuredClone` and `postMessage` cannot
- * copy a symbol, and their error has its text; without it they would make an empty object, in silence.
+ * copy a symbol, and their error has its text; without it they would make an empty object, silently.
  */
 export function uncloneable(what: string, remedy: string): symbol {
   return Symbol(`${what} of the engine, which cannot be cloned: ${remedy}`);
