@@ -47,7 +47,7 @@ export function presetOf(noise: Noise, known: readonly PresetGroup[]): Preset | 
 
 /** How the page shows a number of a noise. */
 export interface Sigma {
-  readonly key: Exclude<keyof Noise, "covariance" | "bias" | "samples">;
+  readonly key: Exclude<keyof Noise, "speed_relative" | "covariance" | "bias" | "samples">;
   readonly unit: string;
   /** The unit for screen readers; null if the number has none. */
   readonly spoken: PlainKey | null;
