@@ -50,6 +50,11 @@ class Call:
             elif value is not None:
                 raise InputError(f'call.{name}: a call of "{self.kind}" has none; leave it out')
 
+    def to_dict(self) -> dict[str, str]:
+        """Plain values, for JSON, without those that this kind does not have."""
+        parts = {"kind": self.kind, "ball": self.ball, "into": self.into}
+        return {key: value for key, value in parts.items() if value is not None}
+
     @classmethod
     def pocket(cls, ball: str, pocket: str) -> Self:
         """Call a ball and its pocket."""

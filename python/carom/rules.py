@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from copy import deepcopy
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from typing import Any, Self
 
 from carom import _core, notebook
@@ -519,7 +519,7 @@ class Frame:
         play = {
             "strike": written,
             "cue_ball": arguments.cue_ball and list(arguments.cue_ball),
-            "call": call and asdict(call),
+            "call": call and call.to_dict(),
             "cling": cling,
         }
         self._moves.append({"play": {key: value for key, value in play.items() if value}})

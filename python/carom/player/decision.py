@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from typing import Any, Self
 
 from carom.arguments import instance
@@ -53,7 +53,7 @@ class Play:
         play = {
             "strike": strike,
             "cue_ball": self.cue_ball and list(self.cue_ball),
-            "call": self.call and asdict(self.call),
+            "call": self.call and self.call.to_dict(),
         }
         return {key: value for key, value in play.items() if value}
 
