@@ -251,6 +251,13 @@ mod tests {
     fn rejects_settings_with_their_place() {
         for (text, place) in [
             ("carom[finalists=-1]", "player.finalists"),
+            ("carom[finalists=0]", "player.finalists"),
+            ("carom[exploring=0]", "player.exploring"),
+            ("carom[exploring=0.9,replying=0.9]", "player.exploring"),
+            ("carom[refining=0.8,replying=0.3]", "player.refining"),
+            ("carom[replying=0.9]", "player.replying"),
+            ("carom[method=kr-uct,finalists=4]", "player.finalists"),
+            ("carom[allocation=ocba,method=kr-uct]", "player.allocation"),
             ("carom[exploring=1.5]", "player.exploring"),
             ("carom[value=network]", "player.value"),
             ("carom[samples=30]", "player"),

@@ -8,7 +8,7 @@ use carom_plan::{Chance, Moments};
 use carom_rules::{BallIndex, Play};
 
 use crate::player::{Budget, Situation, Spent};
-use crate::search::{Candidate, PlayKind, PlayedVariant, Rounds};
+use crate::search::{Candidate, PlayKind, PlayedLeg, PlayedVariant, Rounds};
 use crate::searcher::Searcher;
 
 /// One of the plays that a search recommends, with its chances.
@@ -16,11 +16,12 @@ use crate::searcher::Searcher;
 pub struct Recommendation {
     /// The play, as it is intended.
     pub play: Play,
-    /// What it is meant to do.
+    /// What it does without errors.
     pub kind: PlayKind,
-    /// The line of a pot.
-    pub line: Option<crate::line::Line>,
-    /// The ball that is to fall, and its pocket.
+    /// The balls on the way to the pocket, first the cue ball, and the cushions that each meets without
+    /// errors; empty unless the kind is [`PlayKind::Pot`].
+    pub legs: Vec<PlayedLeg>,
+    /// The ball that falls without errors, and its pocket.
     pub pot: Option<(BallIndex, PocketName)>,
     /// The estimated probability of winning the frame.
     pub win: f64,
@@ -107,7 +108,7 @@ fn recommend(candidate: &Candidate) -> Recommendation {
     Recommendation {
         play: candidate.play,
         kind: candidate.kind,
-        line: candidate.line,
+        legs: candidate.legs.clone(),
         pot: candidate.pot,
         win: candidate.stated_win(),
         error: carom::math::sqrt(squares / (count * (count - 1.0).max(1.0))),

@@ -56,7 +56,7 @@ impl BreakChoice {
 pub struct SearchSettings {
     /// How the candidates are compared.
     pub method: SearchMethod,
-    /// Share of a round's simulations that search for candidates; the rest races them. 0 to 0.9.
+    /// Share of a round's simulations that search for candidates; the rest races them. Above 0, to 0.9.
     pub exploring: f64,
     /// Candidates that enter the first race, if enough are found. A large round has more.
     pub racing: usize,
@@ -69,7 +69,7 @@ pub struct SearchSettings {
     pub refining: f64,
     /// Share of a round's simulations that search successors of the finalists. 0 to 0.9.
     pub replying: f64,
-    /// Largest number of finalists whose successors are searched; 0 for none.
+    /// Largest number of finalists whose successors are searched, if [`Self::replying`] is not 0. At least 1.
     pub finalists: usize,
     /// Fewest simulations for each of them. A round that cannot afford them searches none. With
     /// [`SearchMethod::KrUct`]: simulations that look for the plays of a position in the tree.
@@ -112,6 +112,10 @@ impl Default for SearchSettings {
     }
 }
 
+/// Largest sum of a round's shares for exploring or refining and for replies: the rest is for the race.
+const MOST_SHARES: f64 = 0.9;
+/// Settings of the race, which a tree does not have.
+const OF_THE_RACE: [&str; 4] = ["shift", "allocation", "replying", "finalists"];
 /// Share of the simulations that states the chances of a play, and the largest share for all plays.
 const FRESH: f64 = 0.06;
 const FRESH_IN_ALL: f64 = 0.25;
@@ -172,7 +176,7 @@ impl SearchSettings {
         settings.racing = count("racing", 1, settings.racing as u64)? as usize;
         settings.safeties = count("safeties", 0, settings.safeties as u64)? as usize;
         settings.first_round = count("first-round", 1, settings.first_round)?;
-        settings.finalists = count("finalists", 0, settings.finalists as u64)? as usize;
+        settings.finalists = count("finalists", 1, settings.finalists as u64)? as usize;
         settings.per_reply = count("per-reply", 1, settings.per_reply)?;
         settings.shift = flag("shift", settings.shift)?;
         settings.common_errors = flag("common-errors", settings.common_errors)?;
@@ -182,6 +186,20 @@ impl SearchSettings {
                 "kr-uct" => SearchMethod::KrUct,
                 word => return Err(value.unknown_word(word, "method", &["race", "kr-uct"])),
             };
+        }
+        if let Some((key, what, remedy)) = settings.leaves_too_little() {
+            let value = object.get(key).or_else(|| object.get("replying"));
+            return Err(value.map_or_else(
+                || Error::input("settings", what.clone(), remedy.clone()),
+                |value| value.refuse(what.clone(), remedy.clone()),
+            ));
+        }
+        if settings.method == SearchMethod::KrUct {
+            for key in OF_THE_RACE {
+                if let Some(value) = object.get(key) {
+                    return Err(value.refuse("kr-uct has no race", "leave it out"));
+                }
+            }
         }
         if let Some(value) = object.get("allocation") {
             settings.allocation = match value.text("halving or ocba")? {
@@ -200,10 +218,24 @@ impl SearchSettings {
         Ok(settings)
     }
 
+    /// The setting whose share leaves too few simulations for others, what is wrong with it, and the remedy.
+    fn leaves_too_little(&self) -> Option<(&'static str, String, String)> {
+        let Self { exploring, refining, replying, .. } = *self;
+        if exploring == 0.0 {
+            let what = "without exploring there are no plays to choose from";
+            return Some(("exploring", what.into(), "write a number above 0".into()));
+        }
+        let shares = [("exploring", exploring), ("refining", refining)];
+        let (key, share) = shares.into_iter().find(|(_, share)| share + replying > MOST_SHARES)?;
+        let what = format!("with {share:?} and replying {replying:?} too little is left for the race");
+        Some((key, what, format!("keep their sum at or below {MOST_SHARES:?}")))
+    }
+
     /// Rejects settings out of range.
     ///
     /// # Errors
-    /// [`Error::Input`] for a share outside 0 to 0.9, for a race without candidates, and as
+    /// [`Error::Input`] for a share outside 0 to 0.9, for shares that leave nothing for the race, for a race
+    /// without candidates, and as
     /// [`BreakShot::check`].
     pub fn check(&self) -> Result<(), Error> {
         for (key, share) in [
@@ -217,11 +249,15 @@ impl SearchSettings {
                 return Err(Error::input(place, what, "write a number from 0 to 0.9"));
             }
         }
+        if let Some((key, what, remedy)) = self.leaves_too_little() {
+            return Err(Error::input(format!("settings.{key}"), what, remedy));
+        }
         for (key, value) in [
             ("racing", self.racing as u64),
             ("stated", self.stated as u64),
             ("first_round", self.first_round),
             ("per_reply", self.per_reply),
+            ("finalists", self.finalists as u64),
         ] {
             if value == 0 {
                 let place = format!("settings.{key}");

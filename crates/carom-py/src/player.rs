@@ -5,7 +5,6 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use carom::Error;
 use carom::runner::Runner;
 use carom_arena::{BuiltInPlayer, ThinkingTime};
-use carom_mind::line::Line;
 use carom_mind::{Analysis, Answer, Budget, Decision, Recommendation, Situation, Spent};
 use carom_plan::Moments;
 use carom_rules::{Call, Frame as Game, Play};
@@ -118,11 +117,10 @@ impl From<&Moments> for LeaveFields {
 
 impl RecommendationFields {
     fn new(frame: &Game, found: &Recommendation) -> Self {
-        let legs = found.line.as_ref().map_or(&[][..], Line::legs);
         Self {
             play: PlayFields::new(frame, &found.play),
             kind: found.kind.name(),
-            legs: legs.iter().map(|leg| (id(frame, leg.ball), leg.cushions)).collect(),
+            legs: found.legs.iter().map(|leg| (id(frame, leg.0), leg.1)).collect(),
             pot: found.pot.map(|(ball, pocket)| (id(frame, ball), pocket.name())),
             win: found.win,
             error: found.error,

@@ -5,7 +5,6 @@ use carom::math::sqrt;
 use carom::noise::Perception;
 use carom::{Error, Noise};
 use carom_arena::{BuiltInPlayer, TimeLimit};
-use carom_mind::line::Line;
 use carom_mind::search::Rounds;
 use carom_mind::{Analysis, Answer, Budget, Decision, Recommendation, Searcher, Situation, Spent};
 use carom_plan::{Chance, Moments, wilson};
@@ -311,9 +310,8 @@ fn play_node(frame: &carom_rules::Frame, play: &Play) -> Node {
 }
 
 fn recommendation_node(frame: &carom_rules::Frame, found: &Recommendation) -> Node {
-    let legs = found.line.as_ref().map_or(&[][..], Line::legs).iter();
-    let legs =
-        legs.map(|leg| Node::List(vec![id(frame, leg.ball), u32::from(leg.cushions).into()]));
+    let legs = found.legs.iter();
+    let legs = legs.map(|leg| Node::List(vec![id(frame, leg.0), u32::from(leg.1).into()]));
     let (ball, pocket) = match found.pot {
         Some((ball, pocket)) => (id(frame, ball), pocket.name().into()),
         None => (Node::Null, Node::Null),

@@ -4,6 +4,7 @@ use carom::resolve::cue_ball::Strike;
 use carom::table::PocketName;
 use carom_rules::{BallIndex, Play};
 
+use super::naming::PlayedLeg;
 use crate::line::{Line, LineKind};
 
 /// Number of samples that count as much as the prior in the mean value of a candidate.
@@ -14,7 +15,7 @@ pub(crate) const PRIOR_SAMPLES: f64 = 4.0;
 pub enum PlayKind {
     /// To pot a ball along a line.
     Pot(LineKind),
-    /// To pot a ball without a line: off several cushions, or off another ball.
+    /// To pot a ball in any other way: off cushions before and after the contact, or off another ball.
     Indirect,
     /// To leave the other player a difficult shot.
     Safety,
@@ -68,6 +69,9 @@ pub struct Candidate {
     pub line: Option<Line>,
     /// The ball that is to fall, and the pocket.
     pub pot: Option<(BallIndex, PocketName)>,
+    /// The balls on the way to the pocket, first the cue ball, and the cushions that each meets without
+    /// errors. Only plays of a list have them; a play that pots nothing, and an indirect one, has none.
+    pub legs: Vec<PlayedLeg>,
     /// Number of the prepared position: the place of a cue ball in hand.
     pub place: usize,
     /// Estimated value before any sample: a probability of winning.

@@ -35,6 +35,8 @@ pub(crate) struct Explorer<'a> {
     /// Least and greatest speed of the cue near the best plays, m/s.
     pub(crate) speeds: [f64; 2],
     pub(crate) found: Vec<Candidate>,
+    /// Whether all lines are tried for a list of plays, also those that are much less probable than the best.
+    pub(crate) lists: bool,
     /// Whether the windows of pots are measured, which takes about ten simulations of each.
     pub(crate) measures_windows: bool,
     /// The pots of direct lines, which no other strike needs to make.
@@ -60,6 +62,7 @@ impl<'a> Explorer<'a> {
             most,
             speeds: if frame.is_opening() { speeds(frame.rules()) } else { ANY_SPEED },
             found: Vec::new(),
+            lists: false,
             measures_windows: false,
             direct_pots: Vec::new(),
         }
@@ -119,6 +122,7 @@ impl<'a> Explorer<'a> {
             kind,
             line,
             pot,
+            legs: Vec::new(),
             place,
             prior,
             end: self.successor.layout().place(self.turn.cue),

@@ -193,7 +193,7 @@ impl DecisionNode {
         let strike = self.regression.least_known(k, steps, is_allowed)?;
         let play = Play { strike, ..candidate.play };
         let (samples, fresh, prior) = (Vec::new(), Vec::new(), self.regression.mean(k));
-        let new = Candidate { play, prior, samples, fresh, correction: 0.0, ..*candidate };
+        let new = Candidate { play, prior, samples, fresh, correction: 0.0, ..candidate.clone() };
         self.add(Action::new(new));
         Some(self.actions.len() - 1)
     }
@@ -486,6 +486,7 @@ mod tests {
             play: Play::new(strike),
             kind: PlayKind::Safety,
             line: None,
+            legs: Vec::new(),
             pot: None,
             place: 0,
             prior: 0.5,

@@ -25,5 +25,6 @@ pub use break_search::BreakSearch;
 pub use candidate::{Candidate, PlayKind, PlayedVariant};
 pub(crate) use explore::Explorer;
 pub use racks::Racks;
+pub use naming::PlayedLeg;
 pub use rounds::Rounds;
 pub(crate) use rounds::{Found, SearchTask};

@@ -24,13 +24,16 @@ const HEIGHTS: [f64; 5] = [0.0, -0.85, 0.85, -0.45, 0.45];
 const SIDES: [f64; 3] = [0.0, -0.7, 0.7];
 /// Number of the heights in the coarse lattice, the first ones.
 const COARSE_HEIGHTS: usize = 3;
+/// Number of strikes of the coarse lattice.
+const COARSE: usize = COARSE_HEIGHTS * (SPEEDS.len() / 2);
 /// Largest offset of the tip as a share of the miscue limit, without errors. Near the limit a small
 /// error of the tip would slip off.
 const OFFSET_USED: f64 = 0.75;
 /// Number of standard deviations of the tip's errors by which a play keeps away from the miscue
 /// limit. Drawn strikes beyond it are moved back, so they must not look attractive.
 const AWAY: f64 = 2.5;
-/// Lines that are less probable than this, or than this share of the most probable one, are not tried.
+/// Lines that are less probable than this are not tried. For a decision neither are those that are less probable
+/// than this share of the most probable one; a list has them.
 const LEAST_CHANCE: f64 = 0.02;
 const LEAST_SHARE: f64 = 0.5;
 /// A ball that is on its way into the pocket but does not fall was too slow, if the cue was slower than this
@@ -42,8 +45,9 @@ const MOST_LINES: usize = 14;
 const MISS: f64 = 1.6;
 /// Least and greatest speed of further strikes, m/s.
 const LIMITS: [f64; 2] = [0.35, 7.0];
-/// Difference of the priors by which a line gets a third of the further strikes of another.
-const SPREAD: f64 = 0.1;
+/// Difference of the priors by which a line gets a third of the further strikes of another: for a decision, and
+/// for a list, which wants the best play of every line.
+const SPREAD: [f64; 2] = [0.1, 0.4];
 /// The additive recurrence of Roberts (2018) in four dimensions: powers of 1/φ₄, where φ₄ is the
 /// real root of x⁵ = x + 1.
 const STEPS: [f64; 4] = [
@@ -104,7 +108,8 @@ impl Explorer<'_> {
         };
         let mut rated: Vec<KnownLine> = lines.into_iter().map(known).collect();
         let best = rated.iter().map(|known| known.chance).fold(0.0, f64::max);
-        rated.retain(|known| known.chance > LEAST_CHANCE.max(LEAST_SHARE * best));
+        let share = if self.lists { 0.0 } else { LEAST_SHARE };
+        rated.retain(|known| known.chance > LEAST_CHANCE.max(share * best));
         rated.sort_by(|a, b| b.chance.total_cmp(&a.chance));
         rated.truncate(MOST_LINES);
         rated
@@ -120,8 +125,10 @@ impl Explorer<'_> {
         prepared: &Prepared<'_>,
         lines: &mut [KnownLine],
     ) -> Result<(), Error> {
-        for known in lines.iter_mut() {
-            self.coarse_pots(prepared, known)?;
+        for upto in self.coarse_steps() {
+            for known in lines.iter_mut() {
+                self.coarse_pots(prepared, known, upto)?;
+            }
         }
         for known in lines.iter_mut().filter(|known| known.is_made()) {
             for speed in 0..SPEEDS.len() {
@@ -147,16 +154,30 @@ impl Explorer<'_> {
         prepared: &[Prepared<'_>],
         lines: &mut [KnownLine],
     ) -> Result<(), Error> {
-        for known in lines {
-            self.coarse_pots(&prepared[known.place], known)?;
+        for upto in self.coarse_steps() {
+            for known in lines.iter_mut() {
+                self.coarse_pots(&prepared[known.place], known, upto)?;
+            }
         }
         Ok(())
     }
 
-    /// Goes on with the coarse lattice of a line: every second speed, heights of the ends and the middle, no
-    /// side.
-    fn coarse_pots(&mut self, prepared: &Prepared<'_>, known: &mut KnownLine) -> Result<(), Error> {
-        while known.tried < COARSE_HEIGHTS * (SPEEDS.len() / 2) && !self.is_spent() {
+    /// The numbers of strikes of the coarse lattice up to which every line is tried before the next one: a
+    /// list wants every line at least once, a decision all strikes of the most probable ones.
+    fn coarse_steps(&self) -> core::ops::RangeInclusive<usize> {
+        let least = if self.lists { 1 } else { COARSE };
+        least..=COARSE
+    }
+
+    /// Goes on with the coarse lattice of a line, up to strike number `upto` of it: every second speed, heights
+    /// of the ends and the middle, no side.
+    fn coarse_pots(
+        &mut self,
+        prepared: &Prepared<'_>,
+        known: &mut KnownLine,
+        upto: usize,
+    ) -> Result<(), Error> {
+        while known.tried < upto && !self.is_spent() {
             let (speed, height) = (known.tried / COARSE_HEIGHTS, known.tried % COARSE_HEIGHTS);
             known.tried += 1;
             self.lattice_pot(prepared, known, [2 * speed + 1, height, 0])?;
@@ -189,9 +210,10 @@ impl Explorer<'_> {
         first: u64,
     ) -> Result<u64, Error> {
         let best = lines.iter().map(|known| known.best).fold(0.0, f64::max);
+        let spread = SPREAD[usize::from(self.lists)];
         let weights: Vec<f64> = lines
             .iter()
-            .map(|known| if known.is_made() { exp((known.best - best) / SPREAD) } else { 0.0 })
+            .map(|known| if known.is_made() { exp((known.best - best) / spread) } else { 0.0 })
             .collect();
         let all: f64 = weights.iter().sum();
         let mut index = first;

@@ -116,6 +116,22 @@ impl Race<'_> {
         Ok(spent)
     }
 
+    /// Adds samples to the candidates that have fewer than `least`. Returns their number.
+    ///
+    /// # Errors
+    /// As [`Sampler::simulate_variant`].
+    pub(crate) fn fill(&self, candidates: &mut [Candidate], least: u64) -> Result<u64, Error> {
+        let have = |candidate: &Candidate| candidate.samples.len() as u64;
+        let few = candidates.iter().enumerate().filter(|(_, candidate)| have(candidate) < least);
+        let jobs = few.map(|(k, candidate)| (k, have(candidate), least - have(candidate))).collect();
+        let mut spent = 0;
+        for (k, chunk) in self.sample(candidates, jobs)? {
+            spent += chunk.len() as u64;
+            candidates[k].samples.extend(chunk);
+        }
+        Ok(spent)
+    }
+
     /// Adds `samples` fresh samples to each candidate. Returns their number.
     ///
     /// # Errors
@@ -255,6 +271,7 @@ mod tests {
             play: Play::new(strike),
             kind: PlayKind::Safety,
             line: None,
+            legs: Vec::new(),
             pot: None,
             place: 0,
             prior: value,

@@ -14,7 +14,6 @@ use super::replies::Replies;
 use super::shift::{deviations, means, uphill};
 use super::windows::direct_pots;
 use crate::breaks::BreakShot;
-use crate::line::Line;
 use crate::player::{Budget, Situation, Spent};
 use crate::settings::{BreakChoice, SearchMethod, SearchSettings};
 use crate::value::Value;
@@ -55,6 +54,8 @@ const MORE_PLAYS: u64 = 3;
 const OPENING: u64 = 5;
 /// Factor of the simulations from one round to the next.
 const GROWTH: f64 = 1.6;
+/// Fewest samples by which the aims of a list are compared, as a share of its fresh samples.
+const COMPARED: f64 = 0.3;
 /// Finalists that are moved uphill.
 const SHIFTED: usize = 4;
 
@@ -193,11 +194,12 @@ impl Rounds {
         let in_tree = settings.method == SearchMethod::KrUct && !situation.frame.is_opening();
         let mut known = 0;
         let mut explorer = Explorer::new(situation, value, turn, 0);
+        explorer.lists = self.stated > 1;
         if is_first {
             let simulations = (settings.exploring * self.size as f64) as u64;
             self.lines = explore(&mut explorer, (prepared, &self.openings), simulations)?;
             let room = (self.size / PER_CANDIDATE).min(MOST_NEW);
-            self.candidates = select(explorer.found, settings, room as usize);
+            self.candidates = select(explorer.found, settings, (room as usize, self.stated > 1));
         } else {
             if self.stated > 1 {
                 distinct_first(&mut self.candidates);
@@ -226,7 +228,7 @@ impl Rounds {
                 self.strikes = explorer.more_hits(prepared, self.strikes)?;
             }
             let room = (self.size / PER_CANDIDATE).clamp(KEPT as u64, MOST_NEW);
-            self.candidates.extend(best_of(explorer.found, room as usize));
+            self.candidates.extend(best_of(explorer.found, (room as usize, self.stated > 1)));
         }
         self.spent.simulations += explorer.plays;
         let left = self.size.saturating_sub(self.spent.simulations - before);
@@ -264,15 +266,19 @@ impl Rounds {
             is_new
         });
         let prepared = self.prepared(task.situation)?;
+        if self.stated > 1 {
+            distinct_first(&mut self.candidates);
+            // Races have dropped some of these aims early, with few samples.
+            let compared = self.candidates.len().min(2 * self.stated);
+            let least = (self.fresh as f64 * COMPARED) as u64;
+            let race = task.race(&prepared);
+            self.spent.simulations += race.fill(&mut self.candidates[..compared], least)?;
+        }
+        self.candidates.truncate(self.stated + KEPT);
         let mut explorer = Explorer::new(task.situation, task.value, task.turn, 0);
-        let lines: Vec<Vec<Line>> = (0..prepared.len())
-            .map(|k| {
-                self.lines.iter().filter(|known| known.place == k).map(|known| known.line).collect()
-            })
-            .collect();
         for candidate in &mut self.candidates {
             let place = candidate.place;
-            explorer.name(candidate, &prepared[place], &lines[place])?;
+            explorer.name(candidate, &prepared[place])?;
         }
         self.spent.simulations += explorer.plays;
         Ok(())
@@ -358,10 +364,14 @@ fn explore(
     Ok(lines)
 }
 
-/// The best of `found` by their priors, not too many alike, at most `count`.
-fn best_of(mut found: Vec<Candidate>, count: usize) -> Vec<Candidate> {
+/// The best of `found` by their priors, not too many alike, at most `count`. For a list the best one of every
+/// aim comes first.
+fn best_of(mut found: Vec<Candidate>, (count, is_list): (usize, bool)) -> Vec<Candidate> {
     shuffle(&mut found);
     found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
+    if is_list {
+        distinct_first(&mut found);
+    }
     let mut kept: Vec<Candidate> = Vec::new();
     for candidate in found {
         let alike = kept.iter().filter(|other| are_alike(&candidate, other)).count();
@@ -385,7 +395,11 @@ fn shuffle(found: &mut [Candidate]) {
 
 /// The candidates that enter the race: the best by their priors, not too many alike, and the best
 /// safeties.
-fn select(mut found: Vec<Candidate>, settings: &SearchSettings, wanted: usize) -> Vec<Candidate> {
+fn select(
+    mut found: Vec<Candidate>,
+    settings: &SearchSettings,
+    (wanted, is_list): (usize, bool),
+) -> Vec<Candidate> {
     found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
     let (push_outs, found): (Vec<_>, Vec<_>) =
         found.into_iter().partition(|c| c.kind == PlayKind::PushOut);
@@ -393,7 +407,7 @@ fn select(mut found: Vec<Candidate>, settings: &SearchSettings, wanted: usize) -
         found.into_iter().partition(|c| c.kind == PlayKind::Safety);
     let room = settings.racing.max(wanted);
     let room = room.saturating_sub(settings.safeties.min(safe.len())).max(1);
-    let mut kept = best_of(pots, room);
+    let mut kept = best_of(pots, (room, is_list));
     kept.extend(safe.into_iter().take(settings.safeties));
     kept.extend(push_outs.into_iter().take(PUSH_OUTS));
     kept
@@ -408,18 +422,19 @@ fn are_alike(a: &Candidate, b: &Candidate) -> bool {
         && x * x + y * y < ALIKE * ALIKE
 }
 
-/// Moves the best candidate of each aim (kind, ball and pocket) before all others, and keeps the
-/// order otherwise. Without
-/// this a list of a few plays would show one pot in several variants.
+/// Moves the best candidate of each aim (kind, ball and pocket) before all others, these by their values, and
+/// keeps the order otherwise. Without this a list of a few plays would show one pot in several variants, and
+/// omit a play that a race has dropped for variants of a better one.
 fn distinct_first(candidates: &mut Vec<Candidate>) {
     let mut aims = Vec::new();
     let (first, rest): (Vec<_>, Vec<_>) = candidates.drain(..).partition(|candidate| {
-        let aim = (candidate.kind, candidate.line.map(|line| (line.object, line.pocket)));
+        let aim = (candidate.kind, candidate.pot);
         let is_new = !aims.contains(&aim);
         aims.push(aim);
         is_new
     });
     candidates.extend(first);
+    candidates.sort_by(|a, b| b.mean().total_cmp(&a.mean()));
     candidates.extend(rest);
 }
 

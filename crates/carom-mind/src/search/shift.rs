@@ -160,6 +160,7 @@ mod tests {
             play: Play::new(MEANT),
             kind: PlayKind::Safety,
             line: None,
+            legs: Vec::new(),
             pot: None,
             place: 0,
             prior: 0.5,
