@@ -5,6 +5,7 @@
 //! a similar strike is known.
 
 use carom::Error;
+use carom::MotionState;
 use carom::event::{Event, EventKind, Recorder};
 use carom::math::Vec2;
 use carom::resolve::cue_ball::Strike;
@@ -121,6 +122,12 @@ impl Recorder for LineRecorder<'_> {
                 } else {
                     self.measure(event);
                 }
+            }
+            // A ball that leaves a cushion slides, and its way bends until it rolls.
+            EventKind::MotionTransition { to: MotionState::Rolling, .. }
+                if event.balls[0] == ball && legs[self.leg].cushions > 0 =>
+            {
+                self.measure(event);
             }
             EventKind::PocketCollision(pocket) => {
                 let object = self.balls[legs.len() - 1];

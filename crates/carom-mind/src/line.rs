@@ -24,6 +24,9 @@ const REAL_WIDTH: f64 = 1.5;
 /// Share of the balls on the way into a pocket that fall, without and with a cushion before: the
 /// errors of speed and spin make others miss.
 const FALLS: [f64; 2] = [0.98, 0.92];
+/// Tangents of the angle between a cushion and a ball that leaves it, over that of the ball that comes: of a mirror,
+/// and of a rolling ball that meets the cushion softly. The first one whose way is free makes the line of a kick.
+const REBOUNDS: [f64; 3] = [1.0, 0.7, 0.5];
 /// The error of direction (rad) that no noise model counts: throw and swerve that vary with the
 /// errors of speed and spin. A twentieth of a degree. Estimated.
 const OWN_ERROR: f64 = 9e-4;
@@ -206,7 +209,8 @@ pub fn kicks(scene: &Scene<'_>, targets: &Targets, lines: &mut Vec<Line>) {
     for object in objects(scene, targets).filter(|ball| targets.first.contains(&ball.index)) {
         for pocket in 0..scene.table.pockets.len() {
             for side in SIDES {
-                lines.extend(kick(scene, cue, object, (pocket, side)));
+                let kick = |rebound: &f64| kick(scene, cue, object, (pocket, side, *rebound));
+                lines.extend(REBOUNDS.iter().find_map(kick));
             }
         }
     }
@@ -216,11 +220,14 @@ fn kick(
     scene: &Scene<'_>,
     cue: SceneBall,
     object: SceneBall,
-    (pocket, side): (usize, Side),
+    (pocket, side, rebound): (usize, Side, f64),
 ) -> Option<Line> {
     let window = scene.window(object.center, object.radius, pocket)?;
     let target = target(object.center, &window);
-    let image = SceneBall { center: side.mirror(scene, cue.center, cue.radius), ..cue };
+    // Seen from behind the cushion the cue ball comes from nearer to it if it rebounds at a flatter angle.
+    let mirrored = side.mirror(scene, cue.center, cue.radius);
+    let near = cue.center + (mirrored - cue.center) * (0.5 * (1.0 + rebound));
+    let image = SceneBall { center: near, ..cue };
     let contact = Contact::new(image, object, window.way)?;
     let bounce = side.crossing(scene, image.center, contact.ghost, cue.radius)?;
     let except = [cue.index, object.index];

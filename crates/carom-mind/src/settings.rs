@@ -98,7 +98,7 @@ impl Default for SearchSettings {
             racing: 48,
             safeties: 12,
             first_round: 300,
-            refining: 0.5,
+            refining: 0.6,
             replying: 0.0,
             finalists: 6,
             per_reply: 60,
@@ -227,7 +227,8 @@ impl SearchSettings {
         }
         let shares = [("exploring", exploring), ("refining", refining)];
         let (key, share) = shares.into_iter().find(|(_, share)| share + replying > MOST_SHARES)?;
-        let what = format!("with {share:?} and replying {replying:?} too little is left for the race");
+        let what =
+            format!("with {share:?} and replying {replying:?} too little is left for the race");
         Some((key, what, format!("keep their sum at or below {MOST_SHARES:?}")))
     }
 

@@ -74,7 +74,7 @@ fn the_name_of_a_listed_play_tells_what_its_strike_does_in_every_game() {
             let mut frame = Frame::new(rules, options, None, None, seed).expect("a frame");
             for index in 0..SHOTS {
                 if !matches!(frame.request(), Request::Shot(_)) {
-                    let situation = Situation::new(&frame, noise, index);
+                    let situation = Situation::new(&frame, noise.clone(), index);
                     let budget = Budget::simulations(SIMULATIONS);
                     let decision = Searcher::default().decide(&situation, &budget);
                     match decision.expect("a decision").answer {
@@ -83,7 +83,7 @@ fn the_name_of_a_listed_play_tells_what_its_strike_does_in_every_game() {
                     };
                     continue;
                 }
-                let situation = Situation::new(&frame, noise, index);
+                let situation = Situation::new(&frame, noise.clone(), index);
                 let analysis = Searcher::default()
                     .analyse(&situation, &Budget::simulations(SIMULATIONS), 12)
                     .expect("an analysis");

@@ -73,11 +73,11 @@ class Recommendation:
     Attributes:
         play: The play, as it is intended.
         shot: The shot of the play without errors, ready to simulate.
-        kind: ``direct``, ``bank``, ``kick`` or ``combination`` for a pot along a line, and
-            ``indirect`` for one on another way, such as off several cushions; ``safety``,
-            ``carom``, ``break`` or ``push-out``.
-        legs: The balls that move along the line to the pocket, the cue ball first, each with its
-            number of cushions; empty without a line.
+        kind: What the strike does without errors: ``direct``, ``bank``, ``kick`` or
+            ``combination`` for a pot, and ``indirect`` for one on another way, such as off a further
+            ball; ``safety``, ``carom``, ``break`` or ``push-out``.
+        legs: The balls on the way to the pocket, the cue ball first, each with the number of
+            cushions that it meets; empty for an indirect pot and without a pot.
         ball: The ball that is to fall; None if none is.
         pocket: The pocket it is to fall into; None if none is.
         win_chance: The estimated probability that the player wins the frame.

@@ -69,7 +69,7 @@ export interface Chance {
 
 /** One of the best plays, with chances that are counted with errors which took no part in the choice. */
 export interface Recommendation {
-  /** What the play is meant to do. The first five pot a ball; an indirect one has no line. */
+  /** What the play does without errors. The first five pot a ball; an indirect one has no legs. */
   readonly kind:
     | "direct"
     | "bank"

@@ -402,6 +402,7 @@ mod tests {
     ) -> KernelTree {
         let prepared = [Prepared::new(situation.frame, None).unwrap()];
         let race = Race {
+            foul_correction: 0.0,
             situation,
             value,
             prepared: &prepared,

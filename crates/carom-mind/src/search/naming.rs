@@ -149,9 +149,8 @@ impl Explorer<'_> {
         let way = in_shot(self.turn.cue)
             .zip(in_shot(pot.0))
             .and_then(|(cue, object)| way_of(&recorder.contacts, cue, object));
-        let (kind, legs) = way.map_or((PlayKind::Indirect, Vec::new()), |(kind, legs)| {
-            (PlayKind::Pot(kind), legs)
-        });
+        let (kind, legs) = way
+            .map_or((PlayKind::Indirect, Vec::new()), |(kind, legs)| (PlayKind::Pot(kind), legs));
         candidate.kind = kind;
         let in_frame = |(ball, cushions)| (prepared.balls()[usize::from(ball)], cushions);
         candidate.legs = legs.into_iter().map(in_frame).collect();
@@ -167,7 +166,10 @@ mod tests {
     #[test]
     fn the_contacts_of_a_shot_tell_how_the_ball_got_into_the_pocket() {
         let kind = |contacts: &[Contact], object| way_of(contacts, 0, object).map(|way| way.0);
-        assert_eq!(kind(&[Balls(0, 3), Cushion(0), Cluster(0b111), Jaw(3)], 3), Some(LineKind::Direct));
+        assert_eq!(
+            kind(&[Balls(0, 3), Cushion(0), Cluster(0b111), Jaw(3)], 3),
+            Some(LineKind::Direct)
+        );
         assert_eq!(kind(&[Balls(3, 0), Cushion(3)], 3), Some(LineKind::Bank));
         assert_eq!(kind(&[Cushion(0), Balls(0, 3)], 3), Some(LineKind::Kick));
         assert_eq!(kind(&[Jaw(0), Balls(0, 3)], 3), Some(LineKind::Kick));

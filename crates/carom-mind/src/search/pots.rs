@@ -277,7 +277,8 @@ impl Explorer<'_> {
         if self.measures_windows {
             let kind = PlayKind::Pot(line.kind);
             let meant = MeantPot { pot, call, kind, line: Some(line) };
-            let prior = self.center((prepared, known.place), aimed.strike, meant)?;
+            let error = self.line_error(prepared, &line, &aimed)?;
+            let prior = self.center((prepared, known.place), aimed.strike, meant, error)?;
             known.best = known.best.max(prior.unwrap_or_default());
             return Ok(());
         }

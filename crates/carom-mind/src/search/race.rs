@@ -44,6 +44,8 @@ pub(crate) struct Race<'a> {
     /// Whether all candidates have the same errors.
     pub(crate) common_errors: bool,
     pub(crate) allocation: Allocation,
+    /// What is added to the value of a foul.
+    pub(crate) foul_correction: f64,
 }
 
 impl Race<'_> {
@@ -123,7 +125,8 @@ impl Race<'_> {
     pub(crate) fn fill(&self, candidates: &mut [Candidate], least: u64) -> Result<u64, Error> {
         let have = |candidate: &Candidate| candidate.samples.len() as u64;
         let few = candidates.iter().enumerate().filter(|(_, candidate)| have(candidate) < least);
-        let jobs = few.map(|(k, candidate)| (k, have(candidate), least - have(candidate))).collect();
+        let jobs =
+            few.map(|(k, candidate)| (k, have(candidate), least - have(candidate))).collect();
         let mut spent = 0;
         for (k, chunk) in self.sample(candidates, jobs)? {
             spent += chunk.len() as u64;
@@ -195,6 +198,7 @@ impl Race<'_> {
             let foul = !ruling.is_legal();
             let position = Position { frame: successor, noise: &self.situation.noise };
             let value = self.value.win_chance(&position, self.seat);
+            let value = if foul { (value + self.foul_correction).clamp(0.0, 1.0) } else { value };
             let kept = successor.keeps_turn(self.seat);
             let end = successor.layout().place(cue);
             samples.push(PlayedVariant { index, executed, value, kept, foul, end });

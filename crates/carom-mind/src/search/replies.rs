@@ -150,15 +150,11 @@ fn reply(
     (finalist, sample, per_reply): (usize, usize, u64),
 ) -> Result<Reply, Error> {
     let prepared = &race.prepared[candidate.place];
-    let index = candidate.samples[sample].index;
-    sampler.simulate_variant(
-        prepared,
-        &candidate.play.strike,
-        &race.errors_of(candidate),
-        index,
-    )?;
+    let played = &candidate.samples[sample];
+    let errors = race.errors_of(candidate);
+    sampler.simulate_executed(prepared, &played.executed, &errors, played.index)?;
     sampler.rule(prepared, candidate.play.call, successor)?;
-    let estimated = candidate.samples[sample].value;
+    let estimated = played.value;
     let situation = Situation { frame: successor, ..race.situation.clone() };
     let (searched, plays) = quick_value(&situation, race.value, per_reply)?;
     let is_own = successor.player().map(|player| player == race.seat);

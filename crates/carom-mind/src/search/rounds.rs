@@ -33,15 +33,16 @@ const MOST_ALIKE: usize = 2;
 const PUSH_OUTS: usize = 6;
 /// Candidates that a further round keeps.
 const KEPT: usize = 16;
-/// Simulations of a round for each new candidate that enters its race, and the most of them.
-const PER_CANDIDATE: u64 = 24;
+/// Simulations of the first and of a further round for each new candidate that enters its race, and the most of
+/// these.
+const PER_CANDIDATE: [u64; 2] = [24, 40];
 const MOST_NEW: u64 = 1000;
 /// Share of a further round's exploration for lines that no round has tried yet.
 const UNTRIED: f64 = 0.3;
-/// Shares of a further round's exploration for neighbours of the best plays (of what is left then), and for any
-/// hits of a ball on; the rest goes to further strikes on the lines of pots.
-const NEAR: f64 = 0.4;
-const HITS: f64 = 0.65;
+/// Shares of what is left then for neighbours of the best plays, and for further strikes on the lines of pots; the
+/// rest goes to any hits of a ball on.
+const NEAR: f64 = 0.3;
+const FURTHER: f64 = 0.15;
 /// The first round has at least this part of the simulations, up to a limit: only the first one tries whole
 /// lattices. Budgets above [`LIMITED`] are those of a clock, which may end soon.
 const FIRST_SHARE: u64 = 10;
@@ -79,8 +80,9 @@ pub(crate) struct SearchTask<'a, 'b> {
 
 impl<'b> SearchTask<'_, 'b> {
     /// The race between plays from these positions.
-    fn race(&self, prepared: &'b [Prepared<'b>]) -> Race<'b> {
+    fn race(&self, prepared: &'b [Prepared<'b>], foul_correction: f64) -> Race<'b> {
         Race {
+            foul_correction,
             situation: self.situation,
             value: self.value,
             prepared,
@@ -119,6 +121,8 @@ pub struct Rounds {
     /// Fresh samples of such a play.
     fresh: u64,
     is_complete: bool,
+    /// What is added to the value of a foul; none if no search has looked at it yet.
+    foul_correction: Option<f64>,
 }
 
 impl Rounds {
@@ -152,7 +156,13 @@ impl Rounds {
             stated,
             fresh,
             is_complete: false,
+            foul_correction: None,
         }
+    }
+
+    /// The search, which takes the value's word for what fouls are worth.
+    pub(crate) fn without_doubts(self) -> Self {
+        Self { foul_correction: Some(0.0), ..self }
     }
 
     /// What the rounds have spent.
@@ -188,7 +198,7 @@ impl Rounds {
             }
         }
         let prepared = &self.prepared(situation)?;
-        let race = task.race(prepared);
+        let race = task.race(prepared, self.foul_correction.unwrap_or_default());
         let before = self.spent.simulations;
         let is_last = before + self.size >= self.racing;
         let in_tree = settings.method == SearchMethod::KrUct && !situation.frame.is_opening();
@@ -198,7 +208,7 @@ impl Rounds {
         if is_first {
             let simulations = (settings.exploring * self.size as f64) as u64;
             self.lines = explore(&mut explorer, (prepared, &self.openings), simulations)?;
-            let room = (self.size / PER_CANDIDATE).min(MOST_NEW);
+            let room = (self.size / PER_CANDIDATE[0]).min(MOST_NEW);
             self.candidates = select(explorer.found, settings, (room as usize, self.stated > 1));
         } else {
             if self.stated > 1 {
@@ -219,7 +229,7 @@ impl Rounds {
             let rest = refining - explorer.plays as f64;
             explorer.most = explorer.plays + (NEAR * rest) as u64;
             explorer.refine((prepared, &mut self.lines), &self.candidates, round)?;
-            explorer.most = ((1.0 - HITS) * refining) as u64;
+            explorer.most = explorer.plays + (FURTHER * rest) as u64;
             let first = self.strikes;
             self.strikes = explorer.more_pots(prepared, &mut self.lines, first)?;
             explorer.most = refining as u64;
@@ -227,7 +237,7 @@ impl Rounds {
             if best < CERTAIN && !situation.frame.is_opening() {
                 self.strikes = explorer.more_hits(prepared, self.strikes)?;
             }
-            let room = (self.size / PER_CANDIDATE).clamp(KEPT as u64, MOST_NEW);
+            let room = (self.size / PER_CANDIDATE[1]).clamp(KEPT as u64, MOST_NEW);
             self.candidates.extend(best_of(explorer.found, (room as usize, self.stated > 1)));
         }
         self.spent.simulations += explorer.plays;
@@ -244,6 +254,7 @@ impl Rounds {
                 self.spent.simulations += replies.search(&race, &mut self.candidates)?;
             }
         }
+        self.doubt_fouls(task, prepared)?;
         self.spent.rounds += 1;
         self.races += 1;
         let left = self.racing.saturating_sub(self.spent.simulations);
@@ -252,6 +263,23 @@ impl Rounds {
         self.is_complete = is_last || left == 0 || is_fixed;
         self.size = round_size((GROWTH * self.size as f64) as u64, left);
         Ok(true)
+    }
+
+    /// Looks once at what fouls are worth, when a play that lives on them comes first.
+    fn doubt_fouls(
+        &mut self,
+        task: &SearchTask<'_, '_>,
+        prepared: &[Prepared<'_>],
+    ) -> Result<(), Error> {
+        if self.foul_correction.is_none() {
+            let spent = self.spent.simulations;
+            let found = task.doubt_fouls(prepared, &mut self.candidates, spent)?;
+            if let Some((correction, cost)) = found {
+                self.foul_correction = Some(correction);
+                self.spent.simulations += cost;
+            }
+        }
+        Ok(())
     }
 
     /// Prepares the candidates for a list of plays: each play occurs once, and has the kind of what it does.
@@ -271,7 +299,7 @@ impl Rounds {
             // Races have dropped some of these aims early, with few samples.
             let compared = self.candidates.len().min(2 * self.stated);
             let least = (self.fresh as f64 * COMPARED) as u64;
-            let race = task.race(&prepared);
+            let race = task.race(&prepared, self.foul_correction.unwrap_or_default());
             self.spent.simulations += race.fill(&mut self.candidates[..compared], least)?;
         }
         self.candidates.truncate(self.stated + KEPT);
@@ -284,13 +312,15 @@ impl Rounds {
         Ok(())
     }
 
-    /// What the rounds have found. The best plays get fresh samples.
+    /// What the rounds have found. A foul on purpose is looked at again, and the best plays get fresh samples.
     ///
     /// # Errors
     /// As [`Self::play`].
-    pub(crate) fn end(self, task: &SearchTask<'_, '_>) -> Result<Found, Error> {
+    pub(crate) fn end(mut self, task: &SearchTask<'_, '_>) -> Result<Found, Error> {
         let prepared = self.prepared(task.situation)?;
-        let Self { mut candidates, mut spent, stated, mut fresh, .. } = self;
+        self.doubt_fouls(task, &prepared)?;
+        let Self { mut candidates, mut spent, stated, mut fresh, foul_correction, .. } = self;
+        let race = task.race(&prepared, foul_correction.unwrap_or_default());
         if !self.is_complete {
             // The clock is over, or the rounds: the statement costs its share of what they have spent.
             let settings = SearchSettings { stated, ..*task.settings };
@@ -300,7 +330,7 @@ impl Rounds {
             distinct_first(&mut candidates);
         }
         let stated = stated.min(candidates.len());
-        spent.simulations += task.race(&prepared).freshen(&mut candidates[..stated], fresh)?;
+        spent.simulations += race.freshen(&mut candidates[..stated], fresh)?;
         Ok(Found { candidates, spent })
     }
 }

@@ -219,7 +219,8 @@ impl Explorer<'_> {
             match (kind, without_line) {
                 (PlayKind::Indirect, Some(pot)) if self.measures_windows => {
                     let meant = MeantPot { pot, call, kind, line: None };
-                    self.center((prepared, place), strike, meant)?;
+                    let error = self.direction_error(prepared);
+                    self.center((prepared, place), strike, meant, error)?;
                 }
                 _ => self.keep(strike, call, (kind, None, prior), (place, prepared)),
             }

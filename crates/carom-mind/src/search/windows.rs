@@ -7,12 +7,15 @@
 use core::f64::consts::SQRT_2;
 
 use carom::Error;
+use carom::math::sqrt;
 use carom::resolve::cue_ball::Strike;
 use carom::table::PocketName;
 use carom_rules::{BallIndex, Call};
 
 use super::candidate::{Candidate, PlayKind};
 use super::explore::{DirectPot, Explorer};
+use super::shift::{deviations, moved};
+use crate::aim::{Aimed, LineMiss, LineRecorder};
 use crate::line::{Line, LineKind, direction_error};
 use carom_plan::Prepared;
 
@@ -25,6 +28,8 @@ const LOST_STEPS: u32 = 4;
 /// Share of the balls that fall in the middle of a wide window: the errors of speed and spin make others
 /// miss. Estimated.
 const FALLS: f64 = 0.9;
+/// The turn, rad, that counts for an error with which the balls leave the line, and the largest one.
+const LOST: f64 = 0.05;
 /// Two strikes on one ball whose azimuths differ by less than this, rad, are on the same direct line.
 const SAME_LINE: f64 = 0.03;
 
@@ -56,8 +61,8 @@ impl Explorer<'_> {
         (prepared, place): (&Prepared<'_>, usize),
         strike: Strike,
         meant: MeantPot,
+        error: f64,
     ) -> Result<Option<f64>, Error> {
-        let error = self.direction_error(prepared);
         let step = STEP * error;
         let mut reach = [0_u32; 2];
         // What a miss to either side leaves. A side on which no strike misses loses nothing.
@@ -103,7 +108,8 @@ impl Explorer<'_> {
             let azimuth = strike.azimuth + side * step * f64::from(count.div_ceil(2));
             let strike = Strike { azimuth, ..strike };
             if self.makes(prepared, &strike, &meant)?.0 {
-                self.center((prepared, place), strike, meant)?;
+                let error = self.direction_error(prepared);
+                self.center((prepared, place), strike, meant, error)?;
                 break;
             }
         }
@@ -118,8 +124,46 @@ impl Explorer<'_> {
         })
     }
 
+    /// The standard deviation of the azimuth by which a strike on a line passes its pocket, rad: that of the
+    /// azimuth itself, and what the errors of the speed and of the tip change. Takes one simulation for each
+    /// of these errors.
+    ///
+    /// # Errors
+    /// [`Error::TooManyEvents`] if a shot does not end.
+    pub(crate) fn line_error(
+        &mut self,
+        prepared: &Prepared<'_>,
+        line: &Line,
+        aimed: &Aimed,
+    ) -> Result<f64, Error> {
+        let noise = &self.situation.noise[self.seat()];
+        let deviations = deviations(noise, aimed.strike.speed, prepared.struck_ball().radius);
+        let mut sum = deviations[0] * deviations[0];
+        for k in (1..4).filter(|k| deviations[*k] > 0.0) {
+            let mut steps = [0.0; 4];
+            steps[k] = 1.0;
+            let strike = moved(&aimed.strike, &deviations, &steps);
+            let Some(mut recorder) = LineRecorder::new(line, prepared) else { continue };
+            self.plays += 1;
+            match self.sampler.simulate_recorded(prepared, &strike, &mut recorder) {
+                Ok(()) => {}
+                Err(Error::Input(_)) => continue,
+                Err(error) => return Err(error),
+            }
+            let last = line.legs().len() - 1;
+            let turn = match recorder.line_miss() {
+                Some(LineMiss { leg, miss }) if leg == last => {
+                    ((miss - aimed.miss) / aimed.slope).clamp(-LOST, LOST)
+                }
+                _ => LOST,
+            };
+            sum += turn * turn;
+        }
+        Ok(sqrt(sum))
+    }
+
     /// The standard deviation of the cue ball's direction, rad.
-    fn direction_error(&self, prepared: &Prepared<'_>) -> f64 {
+    pub(crate) fn direction_error(&self, prepared: &Prepared<'_>) -> f64 {
         direction_error(&self.situation.noise[self.seat()], prepared.struck_ball().radius)
     }
 
@@ -205,7 +249,7 @@ mod tests {
                 let (frame, strike) = straight(turn);
                 found(&frame, |explorer, prepared| {
                     let strike = Explorer::raised(prepared, strike);
-                    explorer.center((prepared, 0), strike, AIM).expect("simulations");
+                    explorer.center((prepared, 0), strike, AIM, 0.0025).expect("simulations");
                 })
             })
             .collect();
