@@ -133,7 +133,7 @@ fn a_short_list_omits_no_play_that_is_better_than_one_of_its_own() {
             let budget = Budget::simulations(simulations);
             Searcher::default().analyse(&situation, &budget, count).expect("a list").plays
         };
-        let (short, long) = (list(8000, 5), list(20_000, 12));
+        let (short, long) = (list(20_000, 5), list(20_000, 12));
         let worst = short.iter().map(|listed| listed.win).fold(1.0, f64::min);
         for listed in long.iter().filter(|listed| listed.win > worst + MARGIN) {
             let is_there = short.iter().any(|other| other.pot == listed.pot);

@@ -39,10 +39,10 @@ const PER_CANDIDATE: [u64; 2] = [24, 40];
 const MOST_NEW: u64 = 1000;
 /// Share of a further round's exploration for lines that no round has tried yet.
 const UNTRIED: f64 = 0.3;
-/// Shares of what is left then for neighbours of the best plays, and for further strikes on the lines of pots; the
-/// rest goes to any hits of a ball on.
+/// Shares of what is left then for neighbours of the best plays, and for further strikes on the lines of pots (for a
+/// decision, and for a list, which wants the best play of every line); the rest goes to any hits of a ball on.
 const NEAR: f64 = 0.3;
-const FURTHER: f64 = 0.15;
+const FURTHER: [f64; 2] = [0.15, 0.45];
 /// The first round has at least this part of the simulations, up to a limit: only the first one tries whole
 /// lattices. Budgets above [`LIMITED`] are those of a clock, which may end soon.
 const FIRST_SHARE: u64 = 10;
@@ -229,7 +229,7 @@ impl Rounds {
             let rest = refining - explorer.plays as f64;
             explorer.most = explorer.plays + (NEAR * rest) as u64;
             explorer.refine((prepared, &mut self.lines), &self.candidates, round)?;
-            explorer.most = explorer.plays + (FURTHER * rest) as u64;
+            explorer.most = explorer.plays + (FURTHER[usize::from(self.stated > 1)] * rest) as u64;
             let first = self.strikes;
             self.strikes = explorer.more_pots(prepared, &mut self.lines, first)?;
             explorer.most = refining as u64;
