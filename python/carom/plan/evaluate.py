@@ -45,7 +45,7 @@ class Evaluation:
         legal_count: Number of legal variants; None without a frame.
         turn_kept_count: Number of variants after which the player has the turn again or has won;
             None without a frame.
-        at_rest: Number of variants in which each ball came to rest on the table, int64 of shape
+        at_rest: Number of variants in which each ball was on the table at the end, int64 of shape
             (n_balls,).
         end_mean: Mean place of rest in these variants, m, shape (n_balls, 2); NaN without any.
         end_covariance: Covariance of the place of rest, m², shape (n_balls, 2, 2); NaN with fewer
