@@ -74,8 +74,8 @@ class Recommendation:
         play: The play, as it is intended.
         shot: The shot of the play without errors, ready to simulate.
         kind: What the strike does without errors: ``direct``, ``bank``, ``kick`` or
-            ``combination`` for a pot, and ``indirect`` for one on another way, such as off a further
-            ball; ``safety``, ``carom``, ``break`` or ``push-out``.
+            ``combination`` for a pot, and ``indirect`` for one on another way, such as off a
+            further ball; ``safety``, ``carom``, ``break`` or ``push-out``.
         legs: The balls on the way to the pocket, the cue ball first, each with the number of
             cushions that it meets; empty for an indirect pot and without a pot.
         ball: The ball that is to fall; None if none is.
