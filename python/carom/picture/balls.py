@@ -301,3 +301,19 @@ def draw_ball(
             color="#111111",
             zorder=6.3,
         )
+
+
+def draw_ring(ax: Axes, center: Point, radius: float, dashes: Any, *, gid: str) -> None:
+    """Draw a ring, such as a ghost ball or a mark around a ball."""
+    ax.add_patch(
+        Circle(
+            center,
+            radius,
+            facecolor="#ffffff22",
+            edgecolor="white",
+            linewidth=0.9,
+            linestyle=dashes,
+            zorder=5,
+            gid=gid,
+        )
+    )

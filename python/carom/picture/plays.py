@@ -7,12 +7,12 @@ from textwrap import wrap
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.patches import Circle, Ellipse, Rectangle
+from matplotlib.patches import Ellipse, Rectangle
 
 from carom.arguments import instance
 from carom.errors import InputError
 from carom.picture import colors
-from carom.picture.balls import draw_ball, draw_cue, draw_marks, draw_paths
+from carom.picture.balls import draw_ball, draw_cue, draw_marks, draw_paths, draw_ring
 from carom.picture.output import as_written, to_png, to_svg
 from carom.picture.paths import routes, starts
 from carom.picture.sheet import MARGIN_INCHES, sheet
@@ -92,7 +92,7 @@ def _draw_play(ax: Axes, best: Recommendation) -> None:
             _draw_ghost(ax, route, written["events"])
             draw_cue(ax, route.start, best.play.strike.azimuth, route.radius)
             if route.fate not in {"pocketed", "off-table"}:
-                _ring(ax, route.end, route.radius, "solid", gid="cue-ball-end")
+                draw_ring(ax, route.end, route.radius, "solid", gid="cue-ball-end")
 
 
 def _draw_ghost(ax: Axes, route: Route, events: list[dict[str, Any]]) -> None:
@@ -100,23 +100,8 @@ def _draw_ghost(ax: Axes, route: Route, events: list[dict[str, Any]]) -> None:
     for event in events:
         if event["type"] == "ball-collision" and route.id in event["balls"]:
             x, y, _ = event["before"][event["balls"].index(route.id)]["position"]
-            _ring(ax, (x, y), route.radius, (0, (2.5, 1.6)), gid="ghost-ball")
+            draw_ring(ax, (x, y), route.radius, (0, (2.5, 1.6)), gid="ghost-ball")
             return
-
-
-def _ring(ax: Axes, center: tuple[float, float], radius: float, line: object, *, gid: str) -> None:
-    ax.add_patch(
-        Circle(
-            center,
-            radius,
-            facecolor="#ffffff22",
-            edgecolor="white",
-            linewidth=0.9,
-            linestyle=line,
-            zorder=5,
-            gid=gid,
-        )
-    )
 
 
 def _draw_leave(ax: Axes, best: Recommendation) -> None:

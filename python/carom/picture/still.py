@@ -7,11 +7,11 @@ from textwrap import wrap
 from typing import TYPE_CHECKING, Any
 
 from matplotlib.figure import Figure
-from matplotlib.patches import Circle, Rectangle, Wedge
+from matplotlib.patches import Rectangle, Wedge
 
 from carom.arguments import text
 from carom.picture import colors, table
-from carom.picture.balls import draw_ball, draw_cue
+from carom.picture.balls import draw_ball, draw_cue, draw_ring
 from carom.picture.canvas import (
     LEAST_HEIGHT_POINTS,
     LONG_SIDE_INCHES,
@@ -75,7 +75,9 @@ def draw_frame(frame: Frame, *, title: str | None = None) -> Figure:
     _draw_hand(ax, frame)
     for ball in balls:
         if ball.id in request.on:
-            _ring(ax, ball.start, 1.35 * max(ball.radius, smallest), "solid", gid=f"on-{ball.id}")
+            draw_ring(
+                ax, ball.start, 1.35 * max(ball.radius, smallest), "solid", gid=f"on-{ball.id}"
+            )
     _draw_all(ax, balls, smallest)
     first, *lines = frame.describe().split("\n")
     kept = [line for line in lines if not line.startswith(("Table:", "Pockets:", "Balls:"))]
@@ -169,7 +171,7 @@ def _draw_aim(
         gid="aim",
     )
     if met is not None or geometry["size"] is not None:
-        _ring(ax, end, cue.radius, (0, (2.5, 1.6)), gid="ghost-ball")
+        draw_ring(ax, end, cue.radius, (0, (2.5, 1.6)), gid="ghost-ball")
 
 
 def _to_rail(geometry: dict[str, Any], cue: Route, along: Point) -> float:
@@ -195,18 +197,3 @@ def _draw_hand(ax: Axes, frame: Frame) -> None:
         ax.add_patch(Wedge((0.5 * (left + right), top), 0.5 * (right - left), 180, 360, **style))
     else:
         ax.add_patch(Rectangle((left, bottom), right - left, top - bottom, **style))
-
-
-def _ring(ax: Axes, center: Point, radius: float, line: Any, *, gid: str) -> None:
-    ax.add_patch(
-        Circle(
-            center,
-            radius,
-            facecolor="#ffffff22",
-            edgecolor="white",
-            linewidth=0.9,
-            linestyle=line,
-            zorder=5,
-            gid=gid,
-        )
-    )
