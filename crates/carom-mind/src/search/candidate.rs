@@ -4,8 +4,10 @@ use carom::resolve::cue_ball::Strike;
 use carom::table::PocketName;
 use carom_rules::{BallIndex, Play};
 
-use super::naming::PlayedLeg;
 use crate::line::{Line, LineKind};
+
+/// A ball on the way to a pocket, and the number of cushions that it meets.
+pub type PlayedLeg = (BallIndex, u8);
 
 /// Number of samples that count as much as the prior in the mean value of a candidate.
 pub(crate) const PRIOR_SAMPLES: f64 = 4.0;

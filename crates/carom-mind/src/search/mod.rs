@@ -23,9 +23,8 @@ mod shift;
 mod windows;
 
 pub use break_search::BreakSearch;
-pub use candidate::{Candidate, PlayKind, PlayedVariant};
+pub use candidate::{Candidate, PlayKind, PlayedLeg, PlayedVariant};
 pub(crate) use explore::Explorer;
-pub use naming::PlayedLeg;
 pub use racks::Racks;
 pub use rounds::Rounds;
 pub(crate) use rounds::{Found, SearchTask};

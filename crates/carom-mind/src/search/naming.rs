@@ -17,9 +17,6 @@ use carom_plan::Prepared;
 /// the cushion still goes straight into the pocket.
 const RUBS: f64 = 0.985;
 
-/// A ball on the way to a pocket, and the number of cushions that it meets.
-pub type PlayedLeg = (BallIndex, u8);
-
 /// A contact that may turn a ball on its way to a pocket. Balls are indices in the shot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Contact {
