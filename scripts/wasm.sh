@@ -22,8 +22,9 @@ fi
 cargo build --quiet --locked --manifest-path $tool/Cargo.toml --target-dir target/tools
 glue=target/tools/debug/carom-wasm-bindgen
 
-# simd128 is in every browser since Safari 16.4 (2023).
-RUSTFLAGS="-C target-feature=+simd128" \
+# simd128 is in every browser since Safari 16.4 (2023). A search of a player within a search needs more than
+# the usual stack of 1 MiB; beyond its end the memory of the engine would be overwritten.
+RUSTFLAGS="-C target-feature=+simd128 -C link-arg=-zstack-size=4194304" \
     cargo build --quiet --profile wasm -p carom-wasm --target "$target"
 wasm=${CARGO_TARGET_DIR:-target}/$target/wasm/carom_wasm.wasm
 
