@@ -163,6 +163,38 @@ def test_what_the_schema_of_a_request_refuses_is_refused_by_the_frame() -> None:
     assert frame.answer(good).trace is not None
 
 
+def test_a_decision_of_ones_own_is_applied_with_the_errors_of_its_seat() -> None:
+    noise, seeds = Noise.preset("club"), (5, 6)
+    frame, by_hand = Frame("nine-ball", seed=2), Frame("nine-ball", seed=2)
+    break_ = carom.Play(carom.Strike(8.0, 1.57), (0.6, 0.5))
+    carom.Decision(break_).apply(frame, noise=noise, seed=seeds)
+    by_hand.play(break_.strike, cue_ball=break_.cue_ball, noise=noise, seed=seeds)
+    assert frame.hash == by_hand.hash
+    meant = Frame("nine-ball", seed=2)
+    carom.Decision(break_).apply(meant)
+    assert meant.hash != frame.hash
+
+    scratched = Frame("eight-ball", seed=3)
+    scratched.play(carom.Strike(1.0, 1.57), cue_ball=(0.6, 0.5))
+    twin = scratched.copy()
+    choice = scratched.request.choices[0]
+    assert carom.Decision(choice=choice).apply(scratched).trace is None
+    assert carom.Decision().concession
+    carom.Decision().apply(twin)
+    assert twin.over
+
+
+def test_an_unknown_pocket_is_refused_under_the_key_that_a_call_has() -> None:
+    # Seen: the error named `call.pocket`, and the key is `into`.
+    frame = Frame("ten-ball", seed=1)
+    frame.play(carom.Strike(8.0, 1.57), cue_ball=(0.6, 0.5))
+    if frame.request.kind == "choice":
+        frame.choose("play-on")
+    call = {"kind": "pocket", "ball": "1", "into": "corner"}
+    with pytest.raises(InputError, match=r'^call\.into: there is no pocket "corner"; write one of'):
+        frame.play(carom.Strike(2.0, 1.0), call=call)
+
+
 def test_an_answer_may_be_a_choice_or_a_concession() -> None:
     frame = Frame("eight-ball", seed=1)
     frame.answer({"play": {"strike": {"speed": 1.0, "azimuth_deg": 90}, "cue_ball": [0.6, 0.5]}})

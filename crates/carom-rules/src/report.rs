@@ -93,7 +93,7 @@ impl Frame {
             "push-out" => Ok(Call::PushOut),
             "on" => Ok(Call::On(ball()?)),
             "pocket" => {
-                Ok(Call::Pocket(ball()?, self.pocket(pocket.unwrap_or_default(), "call.pocket")?))
+                Ok(Call::Pocket(ball()?, self.pocket(pocket.unwrap_or_default(), "call.into")?))
             }
             _ => Err(Error::input(
                 "call",

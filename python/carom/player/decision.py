@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Self
 
 from carom.arguments import instance
 from carom.build import Strike, like
 from carom.call import Call
+from carom.noise import Noise
 from carom.player import words
 from carom.rules import Frame, Ruling
 from carom.shot import Shot
@@ -82,6 +84,9 @@ def _call(call: Call) -> str:
 class Decision:
     """A player's decision. ``apply`` gives it to the frame.
 
+    A player of one's own makes ``Decision(carom.Play(strike))``, ``Decision(choice="play-on")``, or
+    ``Decision()`` to concede; the other attributes are what a built-in player tells.
+
     Attributes:
         play: The shot; None if the decision is a choice or a concession.
         choice: The chosen one of ``request.choices``; None if it is a shot or a concession.
@@ -94,12 +99,12 @@ class Decision:
         interrupted: Whether Ctrl-C or ``Player.stop`` ended the search.
     """
 
-    play: Play | None
-    choice: str | None
-    win_chance: float | None
-    simulations: int
-    rounds: int
-    interrupted: bool
+    play: Play | None = None
+    choice: str | None = None
+    win_chance: float | None = None
+    simulations: int = 0
+    rounds: int = 0
+    interrupted: bool = False
 
     @classmethod
     def _read(cls, fields: dict[str, Any]) -> Self:
@@ -112,13 +117,15 @@ class Decision:
         """Whether the player gives up the frame."""
         return self.play is None and self.choice is None
 
-    def apply(self, frame: Frame) -> Ruling:
-        """Answer the frame's request: play the shot exactly as intended, choose, or concede.
+    def apply(
+        self, frame: Frame, *, noise: Noise | None = None, seed: int | Sequence[int] = 0
+    ) -> Ruling:
+        """Answer the frame's request: play the shot, choose, or concede.
 
-        To play the shot with the player's errors, draw them first::
-
-            strike = noise.draw(decision.play.shot(frame), index)
-            frame.play(strike, cue_ball=decision.play.cue_ball, call=decision.play.call)
+        Args:
+            frame: The frame that the player was asked about.
+            noise: Errors of the strike, as for ``Frame.play``; None for the strike as it is meant.
+            seed: Seed of the errors; or two, of player 0 and of player 1.
 
         Raises:
             InputError: The frame does not request this, or does not allow it.
@@ -127,7 +134,9 @@ class Decision:
         frame = _frame(frame)
         if self.play is not None:
             play = self.play
-            return frame.play(play.strike, cue_ball=play.cue_ball, call=play.call)
+            return frame.play(
+                play.strike, cue_ball=play.cue_ball, call=play.call, noise=noise, seed=seed
+            )
         return frame.concede() if self.choice is None else frame.choose(self.choice)
 
     def to_dict(self) -> dict[str, Any]:
