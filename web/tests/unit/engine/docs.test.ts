@@ -7,7 +7,7 @@ import { read } from "./files.js";
 const ENGINE = fileURLToPath(new URL("../../../src/engine/index.js", import.meta.url));
 
 // The snippets of a page build on each other, so they run as one program.
-test.each(["docs/javascript.md", "web/src/engine/README.md"])(
+test.each(["docs/javascript.md", "docs/lockstep.md", "web/src/engine/README.md"])(
   "the snippets of %s run one after the other",
   async (page) => {
     const snippets = [...read(page).matchAll(/^```js\n(.*?)^```/gms)].map((match) => match[1]!);
@@ -20,6 +20,7 @@ test.each(["docs/javascript.md", "web/src/engine/README.md"])(
       await import(/* @vite-ignore */ pathToFileURL(program).href);
       expect(said).toHaveBeenCalled();
       for (const values of said.mock.calls) expect(values).not.toContain(undefined);
+      if (page === "docs/lockstep.md") expect(said).toHaveBeenCalledWith(true, true, true);
     } finally {
       said.mockRestore();
       rmSync(folder, { recursive: true });
