@@ -36,6 +36,7 @@ use crate::{Ball, BallState, MotionState, Physics};
 pub(crate) use ball_set::BallSet;
 pub(crate) use cluster::CLOSING_TIME;
 use jam::Jam;
+use persistent_contact::Push;
 use step::StepContext;
 use support::Support;
 
@@ -128,8 +129,8 @@ pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
     partner: [u16; N],
     /// The earliest of the three times, infinite where there is no ball.
     earliest: [f64; N],
-    /// Time of each ball's last contact, s, −∞ if it had none.
-    last_contact: [f64; N],
+    /// Each ball's latest contacts.
+    push: [Push; N],
     /// Whether each ball is off the bed: in flight, on a rail's top or in a hole.
     off_bed: [bool; N],
     /// Each ball's recent contacts off the bed.
@@ -222,7 +223,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             contact: [f64::INFINITY; N],
             partner: [0; N],
             earliest: [f64::INFINITY; N],
-            last_contact: [f64::NEG_INFINITY; N],
+            push: [Push::NONE; N],
             off_bed: [false; N],
             jam: [Jam::NONE; N],
             wide: crate::math::has_wide_vectors(),
@@ -280,8 +281,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             self.lanes.radius[i] = placed.ball.radius;
             self.set_path(i, Path::new(&state, &placed.ball, cloth, *gravity), 0.0);
             self.contact[i] = f64::INFINITY;
-            self.last_contact[i] = f64::NEG_INFINITY;
-            self.jam[i] = Jam::NONE;
+            self.push[i] = Push::NONE;
+            self.jam[i].forget();
             self.partners[i] = BallSet::EMPTY;
         }
         self.lanes.valid_until[self.n..].fill(f64::NAN);

@@ -308,7 +308,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let support = Support::under(&before);
         let after = support.settled(&before, velocity, angular_velocity, &ball, physics);
         self.begin_path(struck, &after, step);
-        self.last_contact[struck] = step.time;
+        self.push[struck].touch(step.time);
         step.record(strike_event(&report), &[struck as u16], &[before], &[after]);
         Ok(())
     }
@@ -317,7 +317,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     fn begin_paths<R>(&mut self, cluster: &Cluster, step: &StepContext<'_, R>) {
         for (&i, after) in cluster.balls().iter().zip(&cluster.after) {
             self.begin_path(usize::from(i), after, step);
-            self.last_contact[usize::from(i)] = step.time;
+            self.push[usize::from(i)].touch(step.time);
         }
     }
 

@@ -1,15 +1,16 @@
 //! Impacts of a ball on a cushion and of two balls.
 
-use super::Simulation;
 use super::edge::cushion_edge;
 use super::jam::Touched;
-use super::persistent_contact::{Encounter, MIN_SEPARATION, PUSH_PERIOD};
+use super::persistent_contact::{Encounter, MIN_SEPARATION, SLIPPERY, SLIPPERY_PUSH};
 use super::step::StepContext;
 use super::support::Support;
+use super::{Simulation, earlier};
 use crate::detect::ball_ball::ContactFinder;
 use crate::event::{EventKind, Recorder};
 use crate::math::{Vec3, sqrt};
 use crate::physics::{BallBall, Cushion, Surface};
+use crate::resolve::ball_ball::contact::Contact;
 use crate::resolve::ball_ball::held;
 use crate::resolve::ball_edge::{self, Edge};
 use crate::resolve::{self, Body, ball_slate};
@@ -68,13 +69,14 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             balls: &[ball],
             normal: push,
             push,
-            persistent: self.was_hit_lately(i, step.time),
+            recent: self.push[i].is_recent(step.time),
+            pushed_for: if on_bed { self.push[i].lasted(step.time) } else { 0.0 },
             // At speeds this low a cushion reflects the ball without friction.
             smooth: true,
         };
         let after = [impact.raised(0.0, physics)];
         let [after] = encounter.settle(after, |speed| [impact.raised(speed, physics)]);
-        self.last_contact[i] = step.time;
+        self.push[i].touch(step.time);
         self.emit(i, EventKind::RailCollision(part), [before, after], step);
         if !on_bed {
             self.pocket_if_trapped(i, &after, step);
@@ -95,10 +97,15 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let balls = [a as u16, b as u16];
         let before = [self.state(a, time), self.state(b, time)];
         let d = before[1].position - before[0].position;
-        let persistent = self.was_hit_lately(a, time) && self.was_hit_lately(b, time);
         let normal = d * (1.0 / d.length());
         let pair = [self.ball[a], self.ball[b]];
         let on_bed = [!self.off_bed[a], !self.off_bed[b]];
+        let recent = self.push[a].is_recent(time) && self.push[b].is_recent(time);
+        let pushed_for = if on_bed == [true, true] {
+            earlier(self.push[a].lasted(time), self.push[b].lasted(time))
+        } else {
+            0.0
+        };
         // Two balls on the slate push each other along it, even if they differ in size and the line
         // of centres is not horizontal.
         let push = if on_bed == [true, true] { horizontal(normal) } else { normal };
@@ -109,24 +116,19 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let mobility = |k: usize| along[k].length_squared() / pair[k].mass;
         let reduced = 1.0 / (mobility(0) + mobility(1));
         let pushes = [0, 1].map(|k| along[k] * (reduced / pair[k].mass));
-        let smooth = law.is_smooth();
+        let smooth = law.is_smooth()
+            || (pushed_for > SLIPPERY_PUSH && is_slippery(law, normal, &before, &pair));
         let impact = PairImpact { before: &before, balls: &pair, law, on_bed, normal, pushes };
         let encounter =
-            Encounter { before: &before, balls: &pair, normal, push, persistent, smooth };
+            Encounter { before: &before, balls: &pair, normal, push, recent, pushed_for, smooth };
         let after = impact.raised(0.0, physics);
         let after = encounter.settle(after, |speed| impact.raised(speed, physics));
         for (i, after) in [(a, &after[0]), (b, &after[1])] {
             self.begin_path(i, after, step);
-            self.last_contact[i] = time;
+            self.push[i].touch(time);
         }
         step.record(EventKind::BallCollision, &balls, &before, &after);
         self.find_candidates(&balls, time, step.table);
-    }
-
-    /// Whether ball `i` had another contact within [`PUSH_PERIOD`].
-    #[inline(always)]
-    fn was_hit_lately(&self, i: usize, time: f64) -> bool {
-        time - self.last_contact[i] < PUSH_PERIOD
     }
 }
 
@@ -208,6 +210,14 @@ impl PairImpact<'_> {
         };
         [after(0, &p), after(1, &q)]
     }
+}
+
+/// Whether two balls slip so fast over each other that their friction is too weak to make up for
+/// the energy of a hop: the measured friction falls with the speed of the slip.
+#[cold]
+fn is_slippery(law: &BallBall, normal: Vec3, states: &[BallState; 2], balls: &[Ball; 2]) -> bool {
+    let [a, b] = [0, 1].map(|k| Body::new(&balls[k], &states[k]));
+    law.friction.at(Contact::between(normal, &a, &b).slip_speed()) < SLIPPERY
 }
 
 /// A ball off the bed meets `edge`: it is pressed on the edge or bounces off it.

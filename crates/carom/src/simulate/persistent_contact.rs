@@ -8,13 +8,14 @@
 //! ```text
 //! after      = the impact by its model
 //! approach   = approach speed before,  separation = separation speed in `after`
-//! persistent = both bodies had another contact within PUSH_PERIOD
-//! if separation > ε
-//!    and (separation ≥ MIN_SEPARATION or approach ≥ MIN_SEPARATION or not persistent):
+//! pushed     = the time for which both bodies have been pushed, on the bed
+//! persistent = both bodies had another contact within PUSH_PERIOD, or pushed > LONG_PUSH
+//! least      = MIN_SEPARATION, which grows in a long push
+//! if separation > ε and (separation ≥ least or approach ≥ least or not persistent):
 //!     return after                                   # an ordinary impact
-//! if approach ≥ MIN_SEPARATION:
+//! if approach ≥ least:
 //!     return after, its separation raised to 2ε      # restitution 0, or wedged by slate and nose
-//! for v_min in [MIN_SEPARATION, MIN_SEPARATION_WITH_GAIN]:
+//! for v_min in [least, MIN_SEPARATION, MIN_SEPARATION_WITH_GAIN]:
 //!     v = max(2ε, min(v_min, SEPARATION_SHARE · speeds of centres and surfaces) if persistent else 0)
 //!     if separation ≥ v: return after
 //!     pressed = the impact by its model, with the approach speed raised to v
@@ -42,6 +43,75 @@ pub(super) const PUSH_PERIOD: f64 = 1e-3;
 /// sliding ball, 10 µm under the weakest push of rolling balls); smaller, and there are more
 /// events.
 pub(super) const MIN_SEPARATION: f64 = 1e-3;
+
+/// A push that lasts longer than this, s, has longer hops: 30 or more contacts have followed each
+/// other. Shorter, and the pushes of played shots would be coarser.
+const LONG_PUSH: f64 = 0.03;
+
+/// The growth of the minimum separation speed in a long push, m/s². A hop under a sliding ball then
+/// lasts a hundredth of the time of the push, so the number of hops grows with its logarithm only.
+/// Twice this growth makes two thirds of the events, and twice the error of a row of three.
+const SEPARATION_GROWTH: f64 = 1e-2;
+
+/// In a long push the minimum separation speed is at most this share of the speeds of the bodies'
+/// surfaces. So the energy of a hop is at most a ten-thousandth of that of the spin.
+const LONG_PUSH_SHARE: f64 = 1e-2;
+
+/// Contacts that follow each other within this time, s, belong to one push: four hops under a
+/// sliding ball.
+const PUSH_GAP: f64 = 4e-3;
+
+/// In a long push the same holds within this share of its time after [`LONG_PUSH`]: twelve hops.
+const LONG_PUSH_GAP: f64 = 0.125;
+
+/// A ball's contacts with other balls and cushions that follow each other without a pause.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Push {
+    /// Time of the first contact, s.
+    since: f64,
+    /// Time of the last one, s.
+    last: f64,
+    /// A contact at or before this time, s, continues the push.
+    until: f64,
+}
+
+impl Push {
+    /// No contact.
+    pub(super) const NONE: Self =
+        Self { since: 0.0, last: f64::NEG_INFINITY, until: f64::NEG_INFINITY };
+
+    /// Counts a contact at `time`.
+    #[inline(always)]
+    pub(super) fn touch(&mut self, time: f64) {
+        let until = time + PUSH_GAP;
+        if time > self.until {
+            *self = Self { since: time, last: time, until };
+        } else {
+            let longest = time + LONG_PUSH_GAP * (time - self.since - LONG_PUSH);
+            self.last = time;
+            self.until = if longest > until { longest } else { until };
+        }
+    }
+
+    /// How long the ball has been pushed, s, if it has a contact at `time`.
+    #[inline(always)]
+    pub(super) fn lasted(&self, time: f64) -> f64 {
+        if time > self.until { 0.0 } else { time - self.since }
+    }
+
+    /// Whether the last contact was within [`PUSH_PERIOD`].
+    #[inline(always)]
+    pub(super) fn is_recent(&self, time: f64) -> bool {
+        time - self.last < PUSH_PERIOD
+    }
+}
+
+/// After this time, s, balls in a push may count as smooth: see [`SLIPPERY`].
+pub(super) const SLIPPERY_PUSH: f64 = 5e-3;
+
+/// Below this coefficient of friction two balls in such a push count as smooth: their friction does
+/// not make up for the energy of a hop. The measured friction falls to it at a slip of some m/s.
+pub(super) const SLIPPERY: f64 = 1e-3;
 
 /// The raised approach speed adds energy, which the friction of the same contact takes away again.
 /// Where the contact has no friction, the spins that slip on the cloth and so cause the push supply
@@ -79,7 +149,9 @@ pub(super) struct Encounter<'a, const K: usize> {
     /// The direction in which the bodies can be pushed: horizontal for bodies on the slate.
     pub(super) push: Vec3,
     /// Whether both bodies had another contact within [`PUSH_PERIOD`].
-    pub(super) persistent: bool,
+    pub(super) recent: bool,
+    /// How long both have been pushed on the bed, s.
+    pub(super) pushed_for: f64,
     /// Whether no friction acts between the bodies at low speed.
     pub(super) smooth: bool,
 }
@@ -96,25 +168,44 @@ impl<const K: usize> Encounter<'_, K> {
         let approach = -self.separation(self.before);
         let separation = self.separation(&after);
         let rounding = SEPARATION_ROUNDING * self.speeds(&after);
+        let least = self.least_separation();
         if separation > rounding
-            && (separation >= MIN_SEPARATION || !self.persistent || approach >= MIN_SEPARATION)
+            && (separation >= least || !self.is_persistent() || approach >= least)
         {
             return after;
         }
-        if approach >= MIN_SEPARATION {
+        if approach >= least {
             return self.separated(&after, 2.0 * rounding - separation);
         }
-        self.pressed(after, separation, rounding, raised)
+        self.pressed(after, separation, (least, rounding), raised)
     }
 
-    /// The states after an impact with the minimum separation speed. `separation` is the separation
-    /// speed in `after`, and `rounding` its rounding error, m/s.
+    #[inline(always)]
+    fn is_persistent(&self) -> bool {
+        self.recent || self.pushed_for > LONG_PUSH
+    }
+
+    /// The minimum separation speed of a persistent contact, m/s.
+    #[inline(always)]
+    fn least_separation(&self) -> f64 {
+        if self.pushed_for <= LONG_PUSH { MIN_SEPARATION } else { self.least_of_long_push() }
+    }
+
+    #[cold]
+    fn least_of_long_push(&self) -> f64 {
+        let grown = MIN_SEPARATION + SEPARATION_GROWTH * (self.pushed_for - LONG_PUSH);
+        let share = LONG_PUSH_SHARE * self.surface_speeds();
+        earlier(grown, share).max(MIN_SEPARATION)
+    }
+
+    /// The states after an impact with the minimum separation speed `least`. `separation` is the
+    /// separation speed in `after`, and `rounding` its rounding error, m/s.
     #[cold]
     fn pressed(
         &self,
         after: [BallState; K],
         separation: f64,
-        rounding: f64,
+        (least, rounding): (f64, f64),
         raised: impl Fn(f64) -> [BallState; K],
     ) -> [BallState; K] {
         let approach = -self.separation(self.before);
@@ -126,11 +217,19 @@ impl<const K: usize> Encounter<'_, K> {
             SEPARATION_SHARE * (self.speeds(self.before) + self.surface_speeds())
         };
         let mut result = after;
-        for least in [MIN_SEPARATION, MIN_SEPARATION_WITH_GAIN] {
-            let least = if self.persistent { earlier(least, share) } else { 0.0 };
+        for least in [least, MIN_SEPARATION, MIN_SEPARATION_WITH_GAIN] {
+            let least = if self.is_persistent() { earlier(least, share) } else { 0.0 };
             let speed = if least > 2.0 * rounding { least } else { 2.0 * rounding };
             if separation >= speed {
                 return after;
+            }
+            // The longer hop had too much energy, and the model's is not the shortest.
+            if approach >= MIN_SEPARATION && approach >= speed {
+                return if separation > rounding {
+                    after
+                } else {
+                    self.separated(&after, 2.0 * rounding - separation)
+                };
             }
             result = raised(speed - approach);
             if self.balance_energy(&mut result) || lies_on_ball {
