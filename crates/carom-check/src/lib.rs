@@ -25,6 +25,7 @@ mod conservation;
 mod curve;
 mod motion_states;
 mod places;
+mod pushes;
 mod rail_laws;
 pub mod random;
 pub mod random_shots;
@@ -48,6 +49,7 @@ use closest::Intrusion;
 use conservation::Circumstances;
 use curve::{Curve, Turning};
 use places::{Ground, ground};
+use pushes::Pushes;
 use solid::Solid;
 
 pub use conservation::PUSH_ENERGY;
@@ -157,6 +159,7 @@ pub struct CheckRecorder<'a> {
     turnings: Vec<Turning>,
     states: Vec<BallState>,
     since: Vec<f64>,
+    pushes: Pushes,
     /// Collisions of exactly two balls so far.
     pair_contacts: u32,
     /// All errors found.
@@ -196,6 +199,7 @@ impl<'a> CheckRecorder<'a> {
             tolerances,
             time: 0.0,
             since: vec![0.0; states.len()],
+            pushes: Pushes::new(states.len()),
             pair_contacts: 0,
             faults: solid.plan.unlike.iter().map(unlike).collect(),
             solid,
@@ -405,6 +409,7 @@ impl Recorder for CheckRecorder<'_> {
             solid: &self.solid,
             law: &law,
             gap: self.tolerances.gap,
+            hop: self.pushes.touch(event, self.shot),
         };
         if let Some(fault) = conservation::audit(&given, event) {
             self.fault(FaultKind::Conservation, fault);

@@ -56,6 +56,8 @@ pub(crate) struct Circumstances<'a> {
     pub(crate) law: &'a BallBall,
     /// Balls less than this apart, m, touch.
     pub(crate) gap: f64,
+    /// Speed up to which the event may be a hop in a long push, m/s ([`crate::pushes`]).
+    pub(crate) hop: f64,
 }
 
 /// The violation of a conservation law in an event, if there is one.
@@ -96,7 +98,7 @@ pub(crate) fn audit(scene: &Circumstances<'_>, event: &Event<'_>) -> Option<Stri
     }
     match event.kind {
         EventKind::BallCollision => balls::audit(scene, event, &balls),
-        EventKind::RailCollision(k) => table::rail(shot, solid, event, &balls[0], usize::from(k)),
+        EventKind::RailCollision(k) => table::rail(scene, event, &balls[0], usize::from(k)),
         EventKind::SlateCollision => table::slate(shot, solid, event, &balls[0]),
         _ => None,
     }

@@ -12,7 +12,7 @@ use carom::physics::{Cushion, CushionFriction, CushionModel, CushionRestitution}
 use carom::shot::Shot;
 use carom::{Ball, MotionState, Physics};
 
-use super::{ROUNDING, SPIN_SHARE, STILL, last_hop_speed};
+use super::{Circumstances, ROUNDING, SPIN_SHARE, STILL, last_hop_speed};
 use crate::rail_laws::{REFLECTS, RailImpact, Rebound};
 use crate::solid::Solid;
 use crate::table::EdgeKind;
@@ -20,14 +20,16 @@ use crate::table_contact;
 
 /// Checks a contact of a ball that lies on the bed with `part` of the table.
 pub(super) fn audit(
-    shot: &Shot,
-    solid: &Solid,
+    scene: &Circumstances<'_>,
     event: &Event<'_>,
     ball: &Ball,
     part: usize,
 ) -> Option<String> {
+    let Circumstances { shot, solid, hop, .. } = *scene;
     let contact = BedContact::new(shot, solid, event, ball, part)?;
-    let wrong = if contact.impact.velocity.x <= REFLECTS {
+    let wrong = if hop > 0.0 && contact.impact.velocity.x <= hop {
+        contact.check_hop(hop)
+    } else if contact.impact.velocity.x <= REFLECTS {
         contact.check_slow()
     } else {
         contact.check_impulses().or_else(|| contact.check_law())
@@ -160,6 +162,13 @@ impl<'a> BedContact<'a> {
                 law.model
             )
         })
+    }
+
+    /// A hop in a long push: the ball separates, and no faster than in the longest hop.
+    fn check_hop(&self, fastest: f64) -> Option<String> {
+        let speed = -self.after.velocity.x;
+        let is_hop = speed >= -self.rounding && speed <= fastest;
+        (!is_hop).then(|| format!("{speed:e} m/s in a long push"))
     }
 
     /// A slow impact reflects the ball. In persistent contact the ball may leave faster, with at

@@ -9,7 +9,7 @@ use carom::physics::{Cushion, CushionModel};
 use carom::shot::Shot;
 use carom::{Ball, MotionState};
 
-use super::{ROUNDING, STILL, rail_on_bed};
+use super::{Circumstances, ROUNDING, STILL, rail_on_bed};
 use crate::places::TABLE_GAP;
 use crate::rail_laws::restitution;
 use crate::solid::Solid;
@@ -28,15 +28,15 @@ const LEAN: f64 = std::f64::consts::PI / 12.0;
 
 /// Checks the contact of a ball with a rail.
 pub(super) fn rail(
-    shot: &Shot,
-    solid: &Solid,
+    scene: &Circumstances<'_>,
     event: &Event<'_>,
     ball: &Ball,
     part: usize,
 ) -> Option<String> {
+    let Circumstances { shot, solid, .. } = *scene;
     let s = event.before[0];
     if s.motion != MotionState::Airborne {
-        return rail_on_bed::audit(shot, solid, event, ball, part);
+        return rail_on_bed::audit(scene, event, ball, part);
     }
     let physics = shot.physics();
     let fit = physics.cushion.friction;
