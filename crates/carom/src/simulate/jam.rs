@@ -33,6 +33,9 @@ const MOST_CONTACTS: u32 = 30_000;
 /// there: the size of ten atoms. A ball that turns about a lip moves farther in each hop.
 const STANDSTILL: f64 = 1e-9;
 
+/// The first contacts off the bed in a shot are only counted: a ball that falls has some dozens.
+const FIRST_CONTACTS: u32 = 100;
+
 /// What a ball off the bed touches: a ball that lies on other balls does not jam, it moves them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Touched {
@@ -54,8 +57,8 @@ pub(super) struct Jam {
     /// What the ball touched last, and its centre then, m.
     last: Touched,
     before: Vec3,
-    /// All contacts in the shot. Here a contact with the same thing as before counts only if the ball
-    /// has not moved in between.
+    /// All contacts in the shot. After the first ones, a contact with the same thing as before counts
+    /// only if the ball has not moved in between.
     all: u32,
 }
 
@@ -71,9 +74,25 @@ impl Jam {
         all: 0,
     };
 
-    /// Counts a contact of a ball off the bed with its centre at `position` (m) at `time` (s).
+    /// Forgets all contacts: a shot begins.
+    #[inline(always)]
+    pub(super) fn forget(&mut self) {
+        self.all = 0;
+    }
+
+    /// Counts one of the first contacts. Returns `false`, and counts nothing, after them.
+    #[inline(always)]
+    pub(super) fn is_early(&mut self) -> bool {
+        self.all += u32::from(self.all < FIRST_CONTACTS);
+        self.all < FIRST_CONTACTS
+    }
+
+    /// Counts a later contact of a ball off the bed with its centre at `position` (m) at `time` (s).
     /// Returns whether the ball is jammed.
     pub(super) fn touch(&mut self, touched: Touched, position: Vec3, time: f64) -> bool {
+        if self.all == FIRST_CONTACTS {
+            *self = Self { all: FIRST_CONTACTS + 1, ..Self::NONE };
+        }
         let stands = (position - self.before).length_squared() < STANDSTILL * STANDSTILL;
         let counts = u32::from(stands || touched != self.last);
         (self.last, self.before) = (touched, position);
@@ -103,7 +122,12 @@ mod tests {
         let mut jam = Jam::NONE;
         (0..contacts).any(|k| {
             let time = 2e-4 * f64::from(k);
-            jam.touch(things[k as usize % things.len()], Vec3::new(speed * time, 0.0, 0.03), time)
+            !jam.is_early()
+                && jam.touch(
+                    things[k as usize % things.len()],
+                    Vec3::new(speed * time, 0.0, 0.03),
+                    time,
+                )
         })
     }
 
@@ -133,7 +157,7 @@ mod tests {
     #[test]
     fn a_ball_that_meets_two_edges_without_end_is_jammed() {
         let edges = [Touched::Cushion(3), Touched::Cushion(4)];
-        assert!(jams_within(MOST_CONTACTS + 1, 1.0, &edges));
+        assert!(jams_within(MOST_CONTACTS + JAM_CONTACTS, 1.0, &edges));
         assert!(!jams_within(MOST_CONTACTS - 1, 1.0, &edges));
     }
 
@@ -143,7 +167,8 @@ mod tests {
         for k in 0..2 * JAM_CONTACTS {
             let time = 2e-4 * (f64::from(k) - f64::from(JAM_CONTACTS));
             let place = Vec3::new(0.5 * time * time, 0.0, 0.03);
-            assert!(!jam.touch(Touched::Cushion(k as u16 % 2), place, time), "at {time}");
+            let jams = !jam.is_early() && jam.touch(Touched::Cushion(k as u16 % 2), place, time);
+            assert!(!jams, "at {time}");
         }
     }
 }

@@ -152,7 +152,21 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
 
     /// Takes ball `i`, in `state` after a contact off the bed with `touched`, out of play if it is
     /// jammed.
+    #[inline(always)]
     pub(super) fn stop_if_jammed<R: Recorder>(
+        &mut self,
+        i: usize,
+        touched: Touched,
+        state: &BallState,
+        step: &mut StepContext<'_, R>,
+    ) {
+        if !self.jam[i].is_early() {
+            self.stop_if_still_there(i, touched, state, step);
+        }
+    }
+
+    #[cold]
+    fn stop_if_still_there<R: Recorder>(
         &mut self,
         i: usize,
         touched: Touched,
