@@ -9,7 +9,7 @@
 //! cut off; its pair is played again.
 
 use std::collections::BTreeMap;
-use std::fs::{self, File, OpenOptions, TryLockError};
+use std::fs::{self, File, OpenOptions};
 use std::io::{BufRead, BufReader, BufWriter, ErrorKind, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -17,6 +17,7 @@ use carom::Error;
 use carom::format::Node;
 
 use crate::error::ArenaError;
+use crate::hold::Hold;
 use crate::record::{at_line, frame_number, frame_points, last_line, read_last_line, read_line};
 use crate::score::FramePoints;
 use crate::secret::{LineHash, Secret};
@@ -48,7 +49,7 @@ enum LedgerState {
     /// The record is complete: the points of its frames.
     Finished(Vec<[FramePoints; 2]>),
     /// The pairs that were played, by their numbers, and the file that holds them.
-    Open { file: File, end: u64, pairs: BTreeMap<u64, PlayedPair> },
+    Open { file: File, end: u64, pairs: BTreeMap<u64, PlayedPair>, _hold: Hold },
 }
 
 impl Ledger {
@@ -86,9 +87,9 @@ impl Ledger {
         // record may have been written while this one waited to open the file.
         let played = if record.exists() { None } else { Some(open_locked(&folder.join(PLAYED))?) };
         let state = match played {
-            Some(file) if !record.exists() => {
+            Some(opened) if !record.exists() => {
                 write_new(&folder.join(SECRET), &format!("{}\n", secret.to_hex()))?;
-                begin_or_continue(file, &folder.join(PLAYED), &header)?
+                begin_or_continue(opened, &folder.join(PLAYED), &header)?
             }
             _ => {
                 let points = finished_points(folder, &header)?;
@@ -123,7 +124,7 @@ impl Ledger {
         frames: &[Node; 2],
         points: [FramePoints; 2],
     ) -> Result<(), ArenaError> {
-        let LedgerState::Open { file, end, pairs } = &mut self.state else { return Ok(()) };
+        let LedgerState::Open { file, end, pairs, .. } = &mut self.state else { return Ok(()) };
         let [one, other] = frames.each_ref().map(Node::to_json_line);
         let text = format!("{one}\n{other}\n");
         let path = self.folder.join(PLAYED);
@@ -238,16 +239,21 @@ fn finished_points(folder: &Path, header: &str) -> Result<Vec<[FramePoints; 2]>,
     Ok(points.as_chunks().0.to_vec())
 }
 
-/// Opens the file, which is made if it is missing and never replaced, and locks it.
-fn open_locked(path: &Path) -> Result<File, ArenaError> {
+/// Opens the file, which is made if it is missing and never replaced, and locks it: two programs
+/// that write it would destroy it.
+fn open_locked(path: &Path) -> Result<(File, Hold), ArenaError> {
     let open = OpenOptions::new().read(true).append(true).create(true).open(path);
     let file = open.map_err(ArenaError::file(path))?;
-    lock(&file, path)?;
-    Ok(file)
+    let hold = Hold::lock(&file, path)?;
+    Ok((file, hold))
 }
 
 /// Reads `played.jsonl`, or begins it with the header.
-fn begin_or_continue(mut file: File, path: &Path, header: &str) -> Result<LedgerState, ArenaError> {
+fn begin_or_continue(
+    (mut file, hold): (File, Hold),
+    path: &Path,
+    header: &str,
+) -> Result<LedgerState, ArenaError> {
     if !has_line(&file).map_err(ArenaError::file(path))? {
         file.set_len(0).map_err(ArenaError::file(path))?;
         file.write_all(format!("{header}\n").as_bytes()).map_err(ArenaError::file(path))?;
@@ -256,7 +262,7 @@ fn begin_or_continue(mut file: File, path: &Path, header: &str) -> Result<Ledger
     let (pairs, end) = read_played(&file, path, header)?;
     // What follows is the incomplete rest of a pair.
     file.set_len(end).map_err(ArenaError::file(path))?;
-    Ok(LedgerState::Open { file, end, pairs })
+    Ok(LedgerState::Open { file, end, pairs, _hold: hold })
 }
 
 /// Whether the first line is complete.
@@ -264,20 +270,6 @@ fn has_line(file: &File) -> std::io::Result<bool> {
     let mut line = Vec::new();
     BufReader::new(file).read_until(b'\n', &mut line)?;
     Ok(line.ends_with(b"\n"))
-}
-
-/// Locks the file until it is closed: two programs that write it would destroy it.
-fn lock(file: &File, path: &Path) -> Result<(), ArenaError> {
-    match file.try_lock() {
-        Ok(()) => Ok(()),
-        Err(TryLockError::WouldBlock) => {
-            let what = "another program is playing this match";
-            Err(Error::input("folder", what, "wait for its end, or choose another folder").into())
-        }
-        // Some network drives have no locks.
-        Err(TryLockError::Error(error)) if error.kind() == ErrorKind::Unsupported => Ok(()),
-        Err(TryLockError::Error(error)) => Err(ArenaError::file(path)(error)),
-    }
 }
 
 /// The complete pairs of `played.jsonl`, and the end of the last one, bytes.

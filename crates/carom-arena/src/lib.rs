@@ -47,6 +47,7 @@ mod arena_frame;
 mod built_in;
 mod clock;
 mod error;
+mod hold;
 mod ledger;
 mod moves;
 mod record;
