@@ -82,7 +82,7 @@ class Physics:
         """A preset with some parameters changed.
 
         Args:
-            name: ``pool``, ``snooker``, ``english``, ``carom``, ``poolfiz`` or ``ideal``.
+            name: One of those that ``carom physics`` lists, such as ``pool``.
             changes: Sections to merge over it, e.g. ``cloth={"sliding_friction": 0.25}``.
         """
         return cls({"base": name, **changes} if changes else name)

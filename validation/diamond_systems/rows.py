@@ -7,6 +7,7 @@ give neither the speed nor the spin in numbers, and no tolerance: ours is half a
 import json
 import math
 from importlib import resources
+from typing import NamedTuple
 
 from carom.validation.lab import INCH, JSON, Run, Vector, ball, crossing, simulate
 from carom.validation.row import Kind, absolute, row
@@ -15,11 +16,21 @@ MEASURED: JSON = json.loads((resources.files("carom.validation") / "measured.jso
 
 #: Distance of the sights behind the nose line (WPA), m.
 SIGHT = 3.6875 * INCH
-#: Table, its width and length (m), and radius of the balls, by preset of the physics. The pool
-#: table has no pockets here, because a system also counts diamonds at pockets.
-TABLES: dict[str, tuple[JSON | str, float, float, float]] = {
-    "pool": ({"length": 2.54, "width": 1.27, "pockets": "none"}, 1.27, 2.54, 0.028575),
-    "carom": ("carom-10ft", 1.42, 2.84, 0.03075),
+
+
+class SizedTable(NamedTuple):
+    """A table, its width and its length (m)."""
+
+    table: JSON | str
+    width: float
+    length: float
+
+
+#: By preset of the physics. The pool table has no pockets here, because a system also counts
+#: diamonds at pockets.
+TABLES = {
+    "pool": SizedTable({"length": 2.54, "width": 1.27, "pockets": "none"}, 1.27, 2.54),
+    "carom": SizedTable("carom-10ft", 1.42, 2.84),
 }
 #: Speed of the cue, m/s. The ball has about 2.5 m/s at the first rail: "medium".
 CUE_SPEED = 2.2
@@ -34,11 +45,11 @@ Line = tuple[tuple[float, float], tuple[float, float]]
 
 def diamond(preset: str) -> float:
     """Distance of neighbouring sights of the long rail, m."""
-    return TABLES[preset][2] / 8
+    return TABLES[preset].length / 8
 
 
 def heading(run: Run, preset: str) -> float:
-    """Where the ball heads on the left line of sights at its third rail, in diamonds from below.
+    """Where the ball arrives on the left line of sights at its third rail, in diamonds from below.
 
     If it meets the top rail first, its line is extended. NaN if it stops before, or does not move
     to the left.
@@ -58,7 +69,7 @@ def corner_five_line(preset: str, start: float, first: float) -> Line:
     corner, and along the long rail each diamond is half a number.
     """
     behind = SIGHT / diamond(preset)
-    width = TABLES[preset][1] / diamond(preset)
+    width = TABLES[preset].width / diamond(preset)
     return (-behind, 8.0 - 2.0 * (5.0 - start)), (width + behind, first)
 
 
@@ -76,7 +87,7 @@ def played(preset: str, line: Line, side: float) -> Run:
 
     The azimuth is searched, as a player allows for squirt and swerve.
     """
-    table = TABLES[preset][0]
+    table = TABLES[preset].table
     (x, y), (to_x, to_y) = ((u * diamond(preset), v * diamond(preset)) for u, v in line)
     aim = math.atan2(to_y - y, to_x - x)
     # It starts on the line, well inside the table.

@@ -1,4 +1,4 @@
-//! Numbers of 106 bits as unevaluated sums of two doubles, for the judge.
+//! Numbers of 106 bits as unevaluated sums of two doubles, for the judge of root finders.
 //!
 //! By Dekker 1971 (the product) and Knuth's two-sum. The relative error of one operation is a few
 //! 2⁻¹⁰⁴.

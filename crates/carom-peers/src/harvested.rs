@@ -2,13 +2,14 @@
 
 use std::sync::Arc;
 
-use carom::detect::ball_table::{self, TableFeature, keeps_clear};
+use carom::detect::ball_table::{self, keeps_clear};
 use carom::detect::flight;
 use carom::event::{Event, EventKind, Recorder};
 use carom::math::Vec3;
 use carom::motion::Path;
 use carom::resolve::Body;
 use carom::table::Part;
+use carom::table::TableFeature;
 use carom::{Ball, BallState, MotionState, Physics, Shot, Table};
 use carom_check::random_shots::{ShotFamily, shot_file};
 use carom_roots::Motion;

@@ -25,9 +25,6 @@
 //!
 //! Each game is a file of [`games`]. [`Rules::rule`] gives the rule that forbids a foul; the
 //! documentation's page "Rules of the games" lists the rule books.
-//!
-//! Files import downwards only: seat, short_list, markings ← state_bytes ← layout, region ← play, execution,
-//! request, ruling, rules ← state, referee ← games ← frame ← report ← answer, describe.
 
 mod answer;
 mod describe;

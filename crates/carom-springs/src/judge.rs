@@ -129,8 +129,8 @@ pub fn difference(found: &Network, exact: &Network) -> Difference {
     most
 }
 
-/// The difference between the engine and the springs in the first impact of a shot file; that of the
-/// nearest end of the springs.
+/// The difference between the engine and the springs in the first impact of a shot file. The springs
+/// have several ends; the nearest one counts.
 ///
 /// # Errors
 /// What is wrong, if the engine refuses the shot or nothing meets.

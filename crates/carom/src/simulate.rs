@@ -25,13 +25,13 @@ use core::fmt;
 use core::marker::PhantomData;
 
 use crate::detect::ball_ball::{ContactFinder, FirstContact};
-use crate::detect::ball_table::TableFeature;
 use crate::event::{EventKind, Recorder};
 use crate::limits::{MAX_BALLS, SMALL_CAPACITY};
 use crate::motion::Path;
 use crate::physics::StrikeModel;
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
 use crate::shot::Shot;
+use crate::table::TableFeature;
 use crate::{Ball, BallState, MotionState, Physics};
 pub(crate) use ball_set::BallSet;
 pub(crate) use cluster::CLOSING_TIME;

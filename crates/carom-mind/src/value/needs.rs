@@ -38,7 +38,7 @@ pub(crate) struct Needs {
 enum Order {
     /// In that of their numbers.
     Numbers,
-    /// The balls of the player's group in any order, then the eight. None while the table is open.
+    /// The balls of the player's group in any order, then the eight. `None` is an open table.
     Group(Option<Seat>),
     /// Snooker: a red, then a colour of the player's choice, which is spotted again; at last the colours in
     /// ascending order.
@@ -74,7 +74,7 @@ impl Needs {
         self.order == Order::Group(None)
     }
 
-    /// The balls of `seat`, with the last one. On an open table those of group number `seat`.
+    /// The balls of `seat`, with the last one. On an open table `seat` is the number of a group.
     pub(crate) const fn balls(&self, seat: Seat) -> BallMask {
         self.groups[seat] | self.last
     }

@@ -168,8 +168,7 @@ impl DescribedShot {
         self
     }
 
-    /// The cue ball jumped over a ball, before its first contact or (`before_contact` is false)
-    /// later.
+    /// The cue ball jumped over a ball: before its first contact, or later.
     fn jumping(mut self, before_contact: bool) -> Self {
         self.travel.jumped_before_contact = before_contact;
         self
@@ -187,8 +186,8 @@ impl DescribedShot {
         self
     }
 
-    /// The tip met the cue ball `contacts` times and the cue ball met `ball` during the strike, with
-    /// the tip still on it; `hit` tells how full if the ball was not frozen to the cue ball.
+    /// The tip met the cue ball `contacts` times. The cue ball met `ball` while the tip was on it;
+    /// `hit` tells how full, if the ball was not frozen to the cue ball.
     fn meeting(mut self, ball: BallIndex, contacts: u8, hit: NearHit) -> Self {
         self.outcome.met_during_strike = vec![ball];
         self.outcome.tip_contacts = contacts;

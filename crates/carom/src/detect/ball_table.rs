@@ -10,7 +10,7 @@ use carom_roots::{Motion, first_crossing};
 use super::ball_cushion;
 use super::ball_pocket;
 use crate::math::Vec2;
-pub use crate::table::TableFeature;
+use crate::table::TableFeature;
 use crate::table::{JOIN_OVERLAP, Shape, Table};
 
 /// First feature of `table` that a ball on the cloth meets, and when. Its radius is `radius` (m);

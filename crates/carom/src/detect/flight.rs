@@ -14,9 +14,9 @@
 
 use carom_roots::{Motion, first_crossing, first_ring_contact};
 
-use super::ball_table::TableFeature;
 use super::edge::{self, below, earlier, first_touch_of_hole, keeps_below, plan, relative};
 use crate::math::Vec2;
+use crate::table::TableFeature;
 use crate::table::{AISLE, Bounds, Capture, Shape, Table};
 
 /// The surface under a ball (slate or hole, rail's top or opening) is the one below a point this

@@ -5,8 +5,8 @@
 
 use carom_roots::{Motion, first_crossing};
 
-use super::ball_table::TableFeature;
 use crate::math::{Vec2, sqrt};
+use crate::table::TableFeature;
 use crate::table::{Bounds, Capture, JOIN_OVERLAP, Pocket, Shape, Table, arc_sides};
 
 /// First time in [0, `horizon`] (s, may be infinite) at which a ball on a rail's top loses its

@@ -6,9 +6,10 @@ use super::ball_set::BallSet;
 use super::row::PossiblePartners;
 use super::{Simulation, earlier};
 use crate::detect::ball_ball::ContactFinder;
-use crate::detect::ball_table::{self, TableFeature};
+use crate::detect::ball_table;
 use crate::detect::{flight, rail_top};
 use crate::motion::Path;
+use crate::table::TableFeature;
 use crate::{MotionState, Table};
 
 /// The partner of a ball without a contact.

@@ -1,10 +1,10 @@
 //! The edges and walls that a ball off the bed can touch, at the point of contact.
 
 use crate::Table;
-use crate::detect::ball_table::TableFeature;
 use crate::math::{Vec2, Vec3};
 use crate::resolve::ball_edge::Edge;
 use crate::table::Shape;
+use crate::table::TableFeature;
 
 /// The lip of a hole, where a ball with its centre at `position` (m) touches it.
 pub(super) fn lip_edge(table: &Table, pocket: u8, position: Vec3, radius: f64) -> Edge {

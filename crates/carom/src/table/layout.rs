@@ -1,4 +1,4 @@
-//! The part of a table's geometry that only detection needs: which parts a ball can touch where.
+//! An index of a table's geometry: which parts a ball can touch where.
 
 use alloc::vec::Vec;
 
@@ -26,8 +26,8 @@ pub(crate) struct DetectionIndex {
     pub(crate) noses: [u16; 6],
     /// The mouths, in the order of the pockets.
     pub(crate) mouths: Vec<Mouth>,
-    /// A ball of at least this reach, m, can touch only noses while its centre is in the playing
-    /// area made smaller by `reach` on every side.
+    /// While the centre of a ball is at least its reach away from the edges of the playing area, the
+    /// ball can touch only noses, if its reach is at least this, m.
     pub(crate) clear_reach: f64,
     /// Half the table, to the outer edge of its rails, m.
     pub(crate) border: Vec2,
@@ -58,12 +58,12 @@ pub(crate) struct Mouth {
     pub(crate) all: Vec<(u16, Bounds)>,
     /// The box around these parts and the hole.
     pub(crate) bounds: Bounds,
-    /// Distance of the nearest edge or wall from the middle of the mouth, m: from the part of the
-    /// pocket's axis that ends at the hole's centre and begins [`AISLE`] radii of the hole before it.
+    /// Distance of the nearest edge or wall from the aisle, m. The aisle is the last part of the
+    /// pocket's axis before the hole's centre, [`AISLE`] radii of the hole long.
     pub(crate) aisle: f64,
 }
 
-/// Length of the middle of a mouth, in radii of the hole: the hole up to its lip, and a ball's
+/// Length of the aisle of a mouth, in radii of the hole: the hole up to its lip, and a ball's
 /// radius before it.
 pub(crate) const AISLE: f64 = 2.0;
 

@@ -6,11 +6,11 @@ use alloc::vec::Vec;
 
 use super::{Trace, TraceEvent, TraceEventKind};
 use crate::BallState;
-use crate::detect::ball_table::TableFeature;
 use crate::math::{Vec2, Vec3};
 use crate::resolve::cue_ball;
 use crate::shot::{PlacedBall, Shot};
 use crate::simulate::CLOSING_TIME;
+use crate::table::TableFeature;
 use crate::table::{Capture, Part, Rail, Shape, TOUCH_TOLERANCE, Table, arc_sides};
 
 impl TraceEvent<'_> {

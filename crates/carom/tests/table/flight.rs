@@ -5,10 +5,10 @@ use crate::oracle::Dice;
 use crate::solid::Solid;
 use carom::Table;
 use carom::detect::ball_table;
-use carom::detect::ball_table::TableFeature;
 use carom::detect::flight::first_meeting;
 use carom::detect::rail_top::first_loss_of_support;
 use carom::math::{Vec2, Vec3};
+use carom::table::TableFeature;
 use carom::table::{Capture, PRESETS, Part, Shape};
 use carom_roots::Motion;
 

@@ -2,8 +2,9 @@
 
 use crate::oracle::{self, Dice, clearance, distance_to_pocket, first_violation};
 use carom::Table;
-use carom::detect::ball_table::{TableFeature, first_meeting};
+use carom::detect::ball_table::first_meeting;
 use carom::math::Vec2;
+use carom::table::TableFeature;
 use carom::table::{PRESETS, Part, Placement, PocketModel, Shape, TableDescription};
 use carom_roots::Motion;
 

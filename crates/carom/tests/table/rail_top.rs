@@ -3,9 +3,9 @@
 use crate::meeting::{mirrored, paths, tables};
 use crate::oracle::Dice;
 use crate::solid::Solid;
-use carom::detect::ball_table::TableFeature;
 use carom::detect::rail_top::first_loss_of_support;
 use carom::math::Vec2;
+use carom::table::TableFeature;
 use carom_roots::Motion;
 
 /// Distance from an edge within which a ball leaves, m: roundings of a position.

@@ -6,8 +6,8 @@
 
 use crate::oracle::{LOST, distance};
 use carom::Table;
-use carom::detect::ball_table::TableFeature;
 use carom::math::{Vec2, Vec3, sqrt};
+use carom::table::TableFeature;
 use carom::table::{Capture, Part, Shape};
 use carom_roots::Motion;
 

@@ -61,7 +61,7 @@ function tips(offset: number, plus: "right" | "follow", minus: "left" | "draw"):
   return t(`lines.tips.${halves}`, { where });
 }
 
-/** A share as whole per cents. */
+/** A share in per cent, without decimals. */
 export function percent(share: number): string {
   return t("chance.percent", { number: decimal(100 * share, 0) });
 }
