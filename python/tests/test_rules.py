@@ -94,7 +94,7 @@ def test_a_move_that_is_not_allowed_is_refused_and_changes_nothing() -> None:
         frame.play(strike, call=carom.Call.pocket("1", "left"))
     with pytest.raises(carom.InputError, match=r"call\.ball: no ball has the id"):
         frame.play(strike, call=carom.Call.pocket("16", "left"))
-    with pytest.raises(carom.InputError, match=r"call\.pocket: there is no pocket"):
+    with pytest.raises(carom.InputError, match=r"call\.into: there is no pocket"):
         frame.play(strike, call=carom.Call.pocket("1", "middle"))
     with pytest.raises(carom.InputError, match="choice: the frame does not ask for a choice"):
         frame.choose("rebreak")
