@@ -149,7 +149,7 @@ class Frame:
             options,
         )
         frame._moves = []
-        frame._setup = {"game": game, "shot": shot._core.to_record()} | _written(options)
+        frame._setup = {"game": game, "shot": shot._core.to_object(dated="all")} | _written(options)
         return frame
 
     @classmethod

@@ -107,15 +107,17 @@ class Shot:
         strike = self._core.strike
         if strike is not None and abs(strike[1]) > 1.0:
             # Of the two keys the one that was written.
-            arguments.warn_of_degrees(
-                "strike.azimuth", self._core.to_source()["strike"].get("azimuth")
-            )
+            arguments.warn_of_degrees("strike.azimuth", self._source()["strike"].get("azimuth"))
 
     @classmethod
     def _wrap(cls, core: CoreShot) -> Self:
         shot = cls.__new__(cls)
         shot._core = core
         return shot
+
+    def _source(self) -> dict[str, Any]:
+        """The shot file, without an elevation that is the default."""
+        return self._core.to_object(elevation=False)
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:
@@ -195,12 +197,12 @@ class Shot:
     @property
     def table(self) -> Table:
         """The table, as it was given."""
-        return Table(self._core.to_source()["table"])
+        return Table(self._source()["table"])
 
     @property
     def physics(self) -> Physics:
         """The physics, as it was given; if it was not, the preset that belongs to the table."""
-        return Physics(self._core.to_source().get("physics", self._core.physics_of_table))
+        return Physics(self._source().get("physics", self._core.physics_of_table))
 
     @property
     def balls(self) -> list[BallEntry]:
@@ -209,7 +211,7 @@ class Shot:
         ``Shot(shot.table, shot.balls, shot.strike, physics=shot.physics)`` is this shot again, if
         it has no end time, no cling and the usual largest number of events.
         """
-        return [BallEntry(ball) for ball in self._core.to_source()["balls"]]
+        return [BallEntry(ball) for ball in self._source()["balls"]]
 
     @property
     def strike(self) -> Strike | None:
@@ -219,7 +221,7 @@ class Shot:
             return None
         speed, azimuth, elevation, side, height = numbers
         raised = None if self.has_default_elevation else elevation
-        return like((speed, azimuth, raised, side, height), self._core.to_source()["strike"])
+        return like((speed, azimuth, raised, side, height), self._source()["strike"])
 
     @property
     def speed(self) -> float | None:
@@ -377,7 +379,7 @@ class Shot:
 
     def __reduce__(self) -> tuple[Any, tuple[dict[str, Any]]]:
         # The copy of a shot with a default elevation has it too, and not the same angle.
-        return (Shot._copied, (self._core.to_source(),))
+        return (Shot._copied, (self._source(),))
 
     def __repr__(self) -> str:
         count = len(self.ids)

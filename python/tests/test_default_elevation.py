@@ -84,7 +84,7 @@ def test_a_frame_records_the_angle_that_was_used_and_replays_it() -> None:
 
 
 def test_a_sweep_gives_each_row_its_own_elevation() -> None:
-    file = near_the_rail()._core.to_source()
+    file = near_the_rail()._core.to_object(elevation=False)
     spec = {"format": "carom-sweep/1", "shots": file}
     turned = carom.Sweep.from_dict(spec | {"vary": {"strike.azimuth_deg": {"grid": [0.0, 90.0]}}})
     elevations = [turned.shot(row).elevation for row in range(2)]

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use carom::format::Node;
+use carom::format::{Node, with_dated_names};
 use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
@@ -620,7 +620,7 @@ impl VectorEnv {
     /// a record needs to make the same environments after the presets have changed. No `physics` if
     /// the table's name implies it.
     pub fn presets(&self) -> Node {
-        let mut node = self.environments[0].episode.base().to_record_node();
+        let mut node = with_dated_names(&self.environments[0].episode.base().to_node());
         let Node::Object(fields) = &mut node else { return node };
         fields.retain(|(key, _)| key == "table" || key == "physics");
         node

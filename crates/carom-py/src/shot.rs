@@ -2,11 +2,12 @@
 
 use std::sync::Arc;
 
-use carom::format::{check_balls, check_physics, check_table};
+use carom::format::{DefaultElevation, PresetNames, check_balls, check_physics, check_table};
 use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{CuePose, Touched};
 use carom::{Error, ShotFile};
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
@@ -69,28 +70,24 @@ impl Shot {
         Ok(Self(shot.into()))
     }
 
-    fn to_object<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.0.to_node())
-    }
-
-    /// The shot file with the dated names of presets.
-    fn to_record<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.0.to_record_node())
-    }
-
-    /// The shot file without an elevation that is the default.
-    fn to_source<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.0.to_source_node())
-    }
-
-    /// The same with the dated names of presets; that of the table's physics is added.
-    fn to_record_source<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.0.to_record_source_node())
-    }
-
-    /// The same with the dated names of presets in place of those of the file.
-    fn to_dated_source<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        to_python(py, &self.0.to_dated_source_node())
+    /// The shot file. `elevation` is whether one that is the default is written. `dated` are the names
+    /// of presets that get their dates: none, `"all"` with that of the table's physics, or `"named"`.
+    #[pyo3(signature = (*, elevation = true, dated = None))]
+    fn to_object<'py>(
+        &self,
+        py: Python<'py>,
+        elevation: bool,
+        dated: Option<&str>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let elevation =
+            if elevation { DefaultElevation::Written } else { DefaultElevation::Omitted };
+        let names = match dated {
+            None => PresetNames::AsRead,
+            Some("all") => PresetNames::Dated,
+            Some("named") => PresetNames::DatedWhereNamed,
+            Some(other) => return Err(PyValueError::new_err(other.to_owned())),
+        };
+        to_python(py, &self.0.written(elevation, names))
     }
 
     fn to_json(&self) -> String {

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use carom::ShotFile;
-use carom::format::coefficient_at;
+use carom::format::{DefaultElevation, PresetNames, coefficient_at};
 use carom::resolve::cue_ball::Strike;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -30,22 +30,14 @@ impl Shot {
         Ok(Self(shot.into()))
     }
 
-    /// The shot file, with the same numbers as it was read.
+    /// The shot file: with or without an elevation that is the default, and with or without the dates
+    /// of presets.
     #[wasm_bindgen(js_name = toJson)]
-    pub fn to_json(&self) -> String {
-        self.0.to_json()
-    }
-
-    /// The shot file with the dated names of presets.
-    #[wasm_bindgen(js_name = toRecordJson)]
-    pub fn to_record_json(&self) -> String {
-        self.0.to_record_node().to_json()
-    }
-
-    /// The shot file as [`Self::to_json`] gives it, but without an elevation that is the default.
-    #[wasm_bindgen(js_name = toSourceJson)]
-    pub fn to_source_json(&self) -> String {
-        self.0.to_source_node().to_json()
+    pub fn to_json(&self, elevation: bool, dated: bool) -> String {
+        let elevation =
+            if elevation { DefaultElevation::Written } else { DefaultElevation::Omitted };
+        let names = if dated { PresetNames::Dated } else { PresetNames::AsRead };
+        self.0.written(elevation, names).to_json()
     }
 
     /// Whether the elevation is the default, because none was given.

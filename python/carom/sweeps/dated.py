@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any
+from typing import Any, Literal
 
 from carom import _core
 
@@ -22,7 +22,8 @@ def shots(layouts: tuple[_core.Shot, ...], vary: Any) -> list[dict[str, Any]]:
     tables = isinstance(vary, Mapping) and any(
         isinstance(path, str) and path.split(".")[0] == "table" for path in vary
     )
-    return [shot.to_dated_source() if tables else shot.to_record_source() for shot in layouts]
+    dated: Literal["all", "named"] = "named" if tables else "all"
+    return [shot.to_object(elevation=False, dated=dated) for shot in layouts]
 
 
 def vary(given: Any) -> Any:

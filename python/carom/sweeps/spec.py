@@ -250,7 +250,8 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
         "paired": paired,
         "columns": list(columns),
     }
-    undated = whole | {"shots": [shot._core.to_source() for shot in layouts], "vary": given}
+    undated_shots = [shot._core.to_object(elevation=False) for shot in layouts]
+    undated = whole | {"shots": undated_shots, "vary": given}
     spec = Spec(
         layouts,
         parameters,

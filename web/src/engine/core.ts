@@ -237,7 +237,7 @@ class WasmEngine implements Engine {
     const frame = checked(() =>
       wasm.Frame.ofShot(text("game", game), handle, points, miss, patience),
     );
-    const file = handle.toRecordJson();
+    const file = handle.toJson(true, true);
     return new WasmFrame(frame, () => ({ game, shot: JSON.parse(file) as ShotFile, ...written }));
   }
 
@@ -321,12 +321,12 @@ class WasmShot implements Shot {
   }
 
   json(): string {
-    return this.handle.object.toJson();
+    return this.handle.object.toJson(true, false);
   }
 
   get source() {
     if (!this.hasDefaultElevation) return this.file;
-    return JSON.parse(this.handle.object.toSourceJson()) as ShotFile;
+    return JSON.parse(this.handle.object.toJson(false, false)) as ShotFile;
   }
 
   get hasDefaultElevation() {

@@ -1,5 +1,6 @@
 //! The hash of a frame: two programs that play the same game compare it after each move.
 
+use carom::format::with_dated_names;
 use carom::hash::WordHasher;
 
 use super::Frame;
@@ -13,7 +14,7 @@ impl Frame {
     pub fn hash(&self) -> u64 {
         let mut hasher = WordHasher::default();
         hasher.text(self.rules.name());
-        hasher.text(&self.base().to_record_node().to_json_line());
+        hasher.text(&with_dated_names(&self.base().to_node()).to_json_line());
         let mut bytes = Vec::new();
         self.write_to(&mut bytes);
         hasher.bytes(&bytes);

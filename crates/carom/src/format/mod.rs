@@ -32,5 +32,5 @@ pub use node::Node;
 pub use parameters::{Parameter, coefficient_at, parameters, physics_list};
 pub use parts::{check_balls, check_physics, check_table};
 pub use read::Reader;
-pub use shot::{SHOT_FORMAT, ShotFile, repaired};
+pub use shot::{DefaultElevation, PresetNames, SHOT_FORMAT, ShotFile, repaired};
 pub use trace::TRACE_FORMAT;

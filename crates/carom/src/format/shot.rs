@@ -24,6 +24,28 @@ pub const SHOT_FORMAT: &str = "carom-shot/1";
 const KEYS: &[&str] =
     &["format", "table", "physics", "balls", "strike", "cling", "until", "max_events"];
 
+/// What a written file says of an elevation that is the default.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum DefaultElevation {
+    /// Its value.
+    Written,
+    /// Nothing: what is read from the file has the default elevation again, also with other values.
+    Omitted,
+}
+
+/// The names of presets in a written file ([`crate::edition`]).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PresetNames {
+    /// As in the file that was read.
+    AsRead,
+    /// With dates, and the physics that belongs to the table is named: what a record keeps, so that it
+    /// replays to the same bits when the presets have other values.
+    Dated,
+    /// With dates where the file has names. The physics that belongs to the table is not added: it
+    /// follows if the table changes.
+    DatedWhereNamed,
+}
+
 /// A shot with the file that it was read from. The file is written back unchanged, except that an
 /// omitted elevation is written.
 ///
@@ -62,46 +84,29 @@ impl ShotFile {
 
     /// The file as a tree of values, as it was read, and with the elevation that is used.
     pub fn to_node(&self) -> Cow<'_, Node> {
-        let Some(source) = &self.source else { return Cow::Owned(self.shot.to_node()) };
-        let default = self.shot.strike().filter(|_| self.shot.has_default_elevation());
-        let Some((_, strike)) = default else { return Cow::Borrowed(source) };
-        let mut node = Node::clone(source);
-        if let Some(written) = node.get_mut("strike") {
-            strike::write_elevation_into(written, &strike);
-        }
-        Cow::Owned(node)
+        self.written(DefaultElevation::Written, PresetNames::AsRead)
     }
 
-    /// As [`Self::to_node`], with the dated names of presets ([`crate::edition`]): what a record keeps,
-    /// so that it replays to the same bits when the presets have other values.
-    pub fn to_record_node(&self) -> Node {
-        with_dated_names(&self.to_node())
-    }
-
-    /// As [`Self::to_node`], but without an elevation that is the default: what is read from it has
-    /// the default elevation again, also with other values.
-    pub fn to_source_node(&self) -> Node {
+    /// The file as a tree of values.
+    pub fn written(&self, elevation: DefaultElevation, names: PresetNames) -> Cow<'_, Node> {
         let mut node = match &self.source {
-            Some(source) => Node::clone(source),
-            None => self.shot.to_node(),
+            Some(source) => Cow::Borrowed(&**source),
+            None => Cow::Owned(self.shot.to_node()),
         };
-        if let Some(written) = node.get_mut("strike")
-            && self.shot.has_default_elevation()
+        if self.shot.has_default_elevation()
+            && let Some((_, strike)) = self.shot.strike()
+            && let Some(written) = node.to_mut().get_mut("strike")
         {
-            strike::remove_elevation(written);
+            match elevation {
+                DefaultElevation::Written => strike::write_elevation_into(written, &strike),
+                DefaultElevation::Omitted => strike::remove_elevation(written),
+            }
         }
-        node
-    }
-
-    /// As [`Self::to_source_node`], with the dated names of presets as [`Self::to_record_node`].
-    pub fn to_record_source_node(&self) -> Node {
-        with_dated_names(&self.to_source_node())
-    }
-
-    /// As [`Self::to_source_node`], with the dated names of the presets that the file names. The
-    /// physics that belongs to the table is not added: it follows if the table changes.
-    pub fn to_dated_source_node(&self) -> Node {
-        with_named_dated(&self.to_source_node())
+        match names {
+            PresetNames::AsRead => node,
+            PresetNames::Dated => Cow::Owned(with_dated_names(&node)),
+            PresetNames::DatedWhereNamed => Cow::Owned(with_named_dated(&node)),
+        }
     }
 
     /// The name of the physics preset that belongs to the table: that of a file without `physics`.
@@ -182,7 +187,7 @@ impl ShotFile {
         &self,
         values: impl IntoIterator<Item = (&'a KeyPath, Node)>,
     ) -> Result<Self, Error> {
-        let mut node = self.to_source_node();
+        let mut node = self.written(DefaultElevation::Omitted, PresetNames::AsRead).into_owned();
         for (path, value) in values {
             path.set(&mut node, value)?;
             angle::remove_other_unit(&mut node, path);
@@ -268,11 +273,6 @@ impl Shot {
     /// [`Self::to_node`] as JSON.
     pub fn to_json(&self) -> String {
         self.to_node().to_json()
-    }
-
-    /// [`Self::to_node`] with the dated names of presets, as [`ShotFile::to_record_node`].
-    pub fn to_record_node(&self) -> Node {
-        with_dated_names(&self.to_node())
     }
 }
 
