@@ -131,6 +131,7 @@ def calibration(value: Array, won: Array) -> list[dict[str, float]]:
 
 def as_rust(games: dict[str, Any]) -> str:
     """The file with the weights."""
+    names = max((result["weights"] for result in games.values()), key=len)
     lines = [
         "//! The weights of the logistic regression. Written by `scripts/fit_values.py`.",
         "",
@@ -143,7 +144,8 @@ def as_rust(games: dict[str, Any]) -> str:
     ]
     for game, result in games.items():
         lines += ["    (", f'        "{game}",', "        ["]
-        lines += [f"            {weight!r}," for weight in result["weights"].values()]
+        # A game that was fitted before a feature existed has no weight for it.
+        lines += [f"            {result['weights'].get(name, 0.0)!r}," for name in names]
         lines += ["        ],", "    ),"]
     return "\n".join([*lines, "];", ""])
 

@@ -4,9 +4,11 @@ use carom::Noise;
 use carom::format::Node;
 use carom::math::sin_cos;
 use carom::noise::Errors;
+use carom::resolve::cue_ball::Strike;
 use carom::table::PocketName;
 use carom_mind::line::LineKind;
 use carom_mind::search::PlayKind;
+use carom_mind::value::{Logistic, Position, Value};
 use carom_mind::{Answer, Budget, Player, Searcher, Situation};
 use carom_plan::{Prepared, Sampler};
 use carom_rules::{Frame, Options, Play, Rules};
@@ -141,4 +143,27 @@ fn ball_in_hand_is_not_given_away_on_purpose_with_eight_balls_up() {
         // It was a foul in nearly all variants, with 52 % stated where 34 % were won.
         assert!(foul < 0.4 && stated < 0.49, "{foul}, stated {stated}, with seed {seed}");
     }
+}
+
+#[test]
+fn ball_in_hand_is_worth_more_than_the_best_place_without_it() {
+    let noise = [Noise::olympiad(1.0), Noise::olympiad(1.0)];
+    let value = |frame: &Frame| {
+        let turn = frame.turn().expect("a shot");
+        Logistic.of_shot(&Position { frame, noise: &noise }, turn)
+    };
+    let balls =
+        [(3, [0.9, 2.2]), (6, [0.25, 1.9]), (7, [0.3, 0.9]), (8, [1.0, 1.2]), (9, [0.6, 1.6])];
+    let at = |place| nine_ball(Node::from("wpa-9ft"), &[&[(0, place)], &balls[..]].concat());
+    let places =
+        (0..20).flat_map(|i| (0..40).map(move |j| [0.05 * f64::from(i), 0.06 * f64::from(j)]));
+    let places = places.map(|[x, y]| [x + 0.1, y + 0.1]);
+    let is_free = |[x, y]: &[f64; 2]| balls.iter().all(|(_, [a, b])| (x - a).hypot(y - b) > 0.06);
+    let best = places.filter(is_free).map(|place| value(&at(place))).fold(0.0, f64::max);
+    // A shot that meets no ball.
+    let mut frame = at([0.635, 0.4]);
+    let strike = Strike { speed: 0.3, azimuth: 4.7, elevation: 0.0, side: 0.0, height: 0.0 };
+    assert!(!frame.play(&Play::new(strike)).expect("a shot").0.is_legal());
+    let in_hand = value(&frame);
+    assert!(in_hand > best, "{in_hand} and {best}");
 }

@@ -9,7 +9,7 @@ use super::{Markov, Position, Reference};
 use crate::targets::{Targets, balls_left};
 
 /// Number of features.
-pub const COUNT: usize = 17;
+pub const COUNT: usize = 18;
 
 /// Their names, in order.
 pub const NAMES: [&str; COUNT] = [
@@ -30,6 +30,7 @@ pub const NAMES: [&str; COUNT] = [
     "other's balls",
     "open table",
     "fouls",
+    "hand",
 ];
 
 /// Odds are kept within this probability of 0 and 1.
@@ -84,6 +85,7 @@ impl Features {
             balls_left(frame, other) as f64 / 8.0,
             f64::from(u8::from(needs.is_open())),
             fouls[1] - fouls[0],
+            f64::from(u8::from(turn.hand.is_some())),
         ])
     }
 }
