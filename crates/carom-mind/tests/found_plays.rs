@@ -2,7 +2,7 @@
 
 use carom::Noise;
 use carom::format::Node;
-use carom::math::sin_cos;
+use carom::math::{Vec2, sin_cos};
 use carom::noise::Errors;
 use carom::resolve::cue_ball::Strike;
 use carom::table::PocketName;
@@ -158,7 +158,8 @@ fn ball_in_hand_is_worth_more_than_the_best_place_without_it() {
     let places =
         (0..20).flat_map(|i| (0..40).map(move |j| [0.05 * f64::from(i), 0.06 * f64::from(j)]));
     let places = places.map(|[x, y]| [x + 0.1, y + 0.1]);
-    let is_free = |[x, y]: &[f64; 2]| balls.iter().all(|(_, [a, b])| (x - a).hypot(y - b) > 0.06);
+    let is_free =
+        |[x, y]: &[f64; 2]| balls.iter().all(|(_, [a, b])| Vec2::new(x - a, y - b).length() > 0.06);
     let best = places.filter(is_free).map(|place| value(&at(place))).fold(0.0, f64::max);
     // A shot that meets no ball.
     let mut frame = at([0.635, 0.4]);
