@@ -1,12 +1,11 @@
 /**
- * The catalogues of texts: one folder per language, with the same keys and the same placeholders.
+ * The catalogues of texts: one folder per language, with the same files, keys and placeholders.
  *
- * English has the keys. The type `Translation` makes a key that another language lacks a type error.
+ * English has the keys, `en/index.ts` its files. The type `Translation` makes a key that another language
+ * lacks a type error; a test names the keys of a file that it lacks.
  */
 
-import * as de from "./de/index.ts";
-import * as en from "./en/index.ts";
-import * as zh from "./zh/index.ts";
+import type * as en from "./en/index.ts";
 import type { Entry } from "./entry.ts";
 
 /**
@@ -21,63 +20,31 @@ export const LANGUAGES = {
 
 export type Language = keyof typeof LANGUAGES;
 
-const ENGLISH = {
-  ...en.aim,
-  ...en.drills,
-  ...en.analyse,
-  ...en.game,
-  ...en.layout,
-  ...en.page,
-  ...en.physics,
-  ...en.play,
-  ...en.pot,
-  ...en.presets,
-  ...en.replay,
-  ...en.share,
-  ...en.shot,
-  ...en.train,
-  ...en.whatif,
-};
+/** All of a union's members at once. */
+type All<U> = (U extends unknown ? (each: U) => void : never) extends (all: infer A) => void
+  ? A
+  : never;
 
-export type English = typeof ENGLISH;
+export type English = All<(typeof en)[keyof typeof en]>;
 
 /** The name of a text. */
 export type Key = keyof English;
 
-export const CATALOGUES: Readonly<Record<Language, Readonly<Record<Key, Entry>>>> = {
-  en: ENGLISH,
-  de: {
-    ...de.aim,
-    ...de.drills,
-    ...de.analyse,
-    ...de.game,
-    ...de.layout,
-    ...de.page,
-    ...de.physics,
-    ...de.play,
-    ...de.pot,
-    ...de.presets,
-    ...de.replay,
-    ...de.share,
-    ...de.shot,
-    ...de.train,
-    ...de.whatif,
-  },
-  zh: {
-    ...zh.aim,
-    ...zh.drills,
-    ...zh.analyse,
-    ...zh.game,
-    ...zh.layout,
-    ...zh.page,
-    ...zh.physics,
-    ...zh.play,
-    ...zh.pot,
-    ...zh.presets,
-    ...zh.replay,
-    ...zh.share,
-    ...zh.shot,
-    ...zh.train,
-    ...zh.whatif,
-  },
+type Catalogue = Readonly<Record<Key, Entry>>;
+
+type File = Partial<Catalogue>;
+
+/** Vite writes the calls of `glob` as lists of modules: each needs its options as literals. */
+export const CATALOGUES: Readonly<Record<Language, Catalogue>> = {
+  en: merged(
+    Object.values(
+      import.meta.glob<File>(["./en/*.ts", "!./en/index.ts"], { eager: true, import: "texts" }),
+    ),
+  ),
+  de: merged(Object.values(import.meta.glob<File>("./de/*.ts", { eager: true, import: "texts" }))),
+  zh: merged(Object.values(import.meta.glob<File>("./zh/*.ts", { eager: true, import: "texts" }))),
 };
+
+function merged(files: readonly File[]): Catalogue {
+  return Object.assign({}, ...files) as Catalogue;
+}

@@ -3,7 +3,8 @@
 import { readFileSync, readdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { afterEach, describe, expect, test } from "vitest";
-import { CATALOGUES, type Language } from "../../../src/app/words/catalogue.ts";
+import { CATALOGUES, type Language, LANGUAGES } from "../../../src/app/words/catalogue.ts";
+import * as english from "../../../src/app/words/en/index.ts";
 import type { Entry } from "../../../src/app/words/entry.ts";
 import { decimal, keyOf, list, named, setLanguage, t } from "../../../src/app/words/translate.ts";
 import { preferred } from "../../../src/app/shell/language.ts";
@@ -28,7 +29,9 @@ const ofEntry = (entry: Entry) => [...new Set(texts(entry).flatMap(placeholders)
 
 afterEach(() => setLanguage("en"));
 
-describe.each(["de", "zh"] as const)("the catalogue %s", (language) => {
+const OTHERS = (Object.keys(LANGUAGES) as Language[]).filter((language) => language !== "en");
+
+describe.each(OTHERS)("the catalogue %s", (language) => {
   const english = Object.entries(CATALOGUES.en);
 
   test("has every key, and no other", () => {
@@ -48,6 +51,11 @@ describe.each(["de", "zh"] as const)("the catalogue %s", (language) => {
       if (key !== "sentence.gap") for (const text of texts(entry)) expect(text, key).not.toBe("");
     }
   });
+});
+
+test("the index of English lists every file of texts", () => {
+  const listed = Object.values(english).flatMap((file) => Object.keys(file));
+  expect(listed.sort()).toEqual(Object.keys(CATALOGUES.en).sort());
 });
 
 test("every text is used", () => {

@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const aim: Translation<typeof en.aim> = {
+export const texts: Translation<typeof en.aim> = {
   "aim.tip": "Treffpunkt",
   "aim.tip-hint":
     "Klicken Sie auf den Ball, oder nehmen Sie die Pfeiltasten: links und rechts für Effet, oben für Nachläufer, unten für Rückläufer. Außerhalb des gestrichelten Kreises rutscht das Queue ab.",

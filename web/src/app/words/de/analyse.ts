@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const analyse: Translation<typeof en.analyse> = {
+export const texts: Translation<typeof en.analyse> = {
   "lines.title": "Beste Stöße",
   "lines.game": "Spiel",
   "lines.level": "Ihre Spielstärke",

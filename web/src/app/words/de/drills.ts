@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const drills: Translation<typeof en.drills> = {
+export const texts: Translation<typeof en.drills> = {
   "drill.stop": "Stoppball",
   "drill.stun": "Stun entlang der Tangente",
   "drill.follow": "Nachläufer in Stufen",

@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const game: Translation<typeof en.game> = {
+export const texts: Translation<typeof en.game> = {
   "setup.title": "Ein Spiel spielen",
   "setup.hint": "Zwei Spieler, Personen oder Maschinen; ein Schiedsrichter wendet die Regeln an.",
   "setup.game": "Spiel",

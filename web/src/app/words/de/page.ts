@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const page: Translation<typeof en.page> = {
+export const texts: Translation<typeof en.page> = {
   "page.skip": "Zum Tisch springen",
   "page.history": "Verlauf",
   "page.camera": "Kamera",

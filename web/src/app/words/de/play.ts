@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const play: Translation<typeof en.play> = {
+export const texts: Translation<typeof en.play> = {
   "machine.level-1": "Stufe 1, Neuling",
   "machine.level-2": "Stufe 2, Freizeitspieler",
   "machine.level-3": "Stufe 3, Vereinsspieler",

@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const pot: Translation<typeof en.pot> = {
+export const texts: Translation<typeof en.pot> = {
   "pot.aimed": "{ball} in die Tasche {pocket}: {how}, ± {margin}°.",
   "pot.tap-pocket": "Tippen Sie auf eine Tasche: {ball} wird dorthin gezielt.",
   "pot.unsolved":

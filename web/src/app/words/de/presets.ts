@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const presets: Translation<typeof en.presets> = {
+export const texts: Translation<typeof en.presets> = {
   "preset.pool": "Pool",
   "preset.pool-new-cloth": "Pool, neues Tuch",
   "preset.pool-worn-cloth": "Pool, altes Tuch",

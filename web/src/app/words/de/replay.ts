@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const replay: Translation<typeof en.replay> = {
+export const texts: Translation<typeof en.replay> = {
   "replay.play": "Abspielen",
   "replay.pause": "Anhalten",
   "replay.again": "Noch einmal abspielen",

@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const share: Translation<typeof en.share> = {
+export const texts: Translation<typeof en.share> = {
   "share.share": "Teilen",
   "share.title": "Diesen Stoß teilen",
   "share.close": "Schließen",

@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const shot: Translation<typeof en.shot> = {
+export const texts: Translation<typeof en.shot> = {
   sentence: "{text}.",
   "sentence.gap": " ",
 

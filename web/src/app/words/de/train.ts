@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const train: Translation<typeof en.train> = {
+export const texts: Translation<typeof en.train> = {
   "train.drills": "Übungen",
   "train.intro":
     "Spielen Sie eine Übung auf diesem Tisch, oder bauen Sie sie am echten Tisch auf und tippen Sie an, wie jeder Versuch ausging.",

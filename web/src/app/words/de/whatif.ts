@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const whatif: Translation<typeof en.whatif> = {
+export const texts: Translation<typeof en.whatif> = {
   "whatif.simulate": "Fehler der Person am Tisch berechnen",
   "whatif.intro": {
     other:

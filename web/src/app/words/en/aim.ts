@@ -1,5 +1,5 @@
 /** The Aim tab, the dock below the table, and the names of changes of the strike. */
-export const aim = {
+export const texts = {
   "aim.tip": "Tip",
   "aim.tip-hint":
     "Click the ball, or use the arrow keys: left and right for English, up for follow, down for draw. Outside the dashed circle the cue miscues.",

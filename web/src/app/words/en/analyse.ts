@@ -1,5 +1,5 @@
 /** The analysis: best shots, why, chances beside Shoot, zones, plans and the tree of variations. */
-export const analyse = {
+export const texts = {
   "lines.title": "Best shots",
   "lines.game": "Game",
   "lines.level": "Your level",

@@ -1,5 +1,5 @@
 /** The drills: names, goals, and the books whose themes they have. */
-export const drills = {
+export const texts = {
   "drill.stop": "Stop shot",
   "drill.stun": "Stun along the tangent",
   "drill.follow": "Follow in steps",

@@ -1,5 +1,5 @@
 /** Games: the bar, the Game tab, calls, and the referee. */
-export const game = {
+export const texts = {
   "setup.title": "Play a game",
   "setup.hint": "Two players, persons or machines; a referee applies the rules.",
   "setup.game": "Game",

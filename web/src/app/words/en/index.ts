@@ -1,15 +1,17 @@
-export { aim } from "./aim.ts";
-export { drills } from "./drills.ts";
-export { analyse } from "./analyse.ts";
-export { game } from "./game.ts";
-export { layout } from "./layout.ts";
-export { page } from "./page.ts";
-export { physics } from "./physics.ts";
-export { play } from "./play.ts";
-export { pot } from "./pot.ts";
-export { presets } from "./presets.ts";
-export { replay } from "./replay.ts";
-export { share } from "./share.ts";
-export { shot } from "./shot.ts";
-export { train } from "./train.ts";
-export { whatif } from "./whatif.ts";
+/** The files of texts: a new one is added here, and each language has a file of the same name. */
+
+export { texts as aim } from "./aim.ts";
+export { texts as drills } from "./drills.ts";
+export { texts as analyse } from "./analyse.ts";
+export { texts as game } from "./game.ts";
+export { texts as layout } from "./layout.ts";
+export { texts as page } from "./page.ts";
+export { texts as physics } from "./physics.ts";
+export { texts as play } from "./play.ts";
+export { texts as pot } from "./pot.ts";
+export { texts as presets } from "./presets.ts";
+export { texts as replay } from "./replay.ts";
+export { texts as share } from "./share.ts";
+export { texts as shot } from "./shot.ts";
+export { texts as train } from "./train.ts";
+export { texts as whatif } from "./whatif.ts";

@@ -1,5 +1,5 @@
 /** The Layout tab, and the names of changes of the layout. */
-export const layout = {
+export const texts = {
   "layout.rack": "Rack",
   "layout.game": "Game",
   "layout.seed": "Seed",

@@ -1,5 +1,5 @@
 /** The frame of the page: header, tabs, help, keys, first steps. */
-export const page = {
+export const texts = {
   "page.skip": "Skip to the table",
   "page.history": "History",
   "page.camera": "Camera",

@@ -1,5 +1,5 @@
 /** The forms of the physics and of the table: names by key, hints by path in the shot file. */
-export const physics = {
+export const texts = {
   "physics.title": "Table",
   "physics.cloth": "Cloth",
   "physics.balls": "Balls",

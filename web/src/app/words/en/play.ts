@@ -1,5 +1,5 @@
 /** Play: machines, the guide, the review of a frame, races, clocks, and friends by link. */
-export const play = {
+export const texts = {
   "machine.level-1": "Level 1, novice",
   "machine.level-2": "Level 2, casual player",
   "machine.level-3": "Level 3, club player",

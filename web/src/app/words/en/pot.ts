@@ -1,5 +1,5 @@
 /** Aiming by ball and pocket. */
-export const pot = {
+export const texts = {
   "pot.aimed": "{ball} to the {pocket} pocket: {how}, ± {margin}°.",
   "pot.tap-pocket": "Tap a pocket to aim {ball} at it.",
   "pot.unsolved":

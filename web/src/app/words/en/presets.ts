@@ -1,5 +1,5 @@
 /** Presets of tables, physics and players, and games. The keys have the names in files. */
-export const presets = {
+export const texts = {
   "preset.pool": "Pool",
   "preset.pool-new-cloth": "Pool, new cloth",
   "preset.pool-worn-cloth": "Pool, worn cloth",

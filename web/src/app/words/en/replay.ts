@@ -1,5 +1,5 @@
 /** The replay: timeline, events, the state of a ball, plots. */
-export const replay = {
+export const texts = {
   "replay.play": "Play",
   "replay.pause": "Pause",
   "replay.again": "Play again",

@@ -1,5 +1,5 @@
 /** The Share dialog, files, links, films. */
-export const share = {
+export const texts = {
   "share.share": "Share",
   "share.title": "Share this shot",
   "share.close": "Close",

@@ -1,5 +1,5 @@
 /** Balls, places, the outcome of a shot, and what is wrong with one. */
-export const shot = {
+export const texts = {
   sentence: "{text}.",
   "sentence.gap": " ",
 

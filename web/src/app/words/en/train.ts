@@ -1,5 +1,5 @@
 /** The Train tab: drills, puzzle of the day, progress, sheets. */
-export const train = {
+export const texts = {
   "train.drills": "Drills",
   "train.intro":
     "Play a drill on this table, or set it up on a real one and tap how each attempt went.",

@@ -1,5 +1,5 @@
 /** The What if tab. */
-export const whatif = {
+export const texts = {
   "whatif.simulate": "Simulate errors of the player",
   "whatif.intro": {
     one: "No player strikes exactly as intended. Set the size of your errors to see {count} variant of this shot.",

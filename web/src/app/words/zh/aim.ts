@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const aim: Translation<typeof en.aim> = {
+export const texts: Translation<typeof en.aim> = {
   "aim.tip": "击点",
   "aim.tip-hint": "点击球面，或用方向键：左右为加塞，上为高杆，下为低杆。击点在虚线圈以外会滑杆。",
   "aim.stroke": "出杆",

@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const analyse: Translation<typeof en.analyse> = {
+export const texts: Translation<typeof en.analyse> = {
   "lines.title": "最佳打法",
   "lines.game": "比赛",
   "lines.level": "您的水平",

@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const drills: Translation<typeof en.drills> = {
+export const texts: Translation<typeof en.drills> = {
   "drill.stop": "定杆",
   "drill.stun": "沿切线走位",
   "drill.follow": "跟进阶梯",

@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const game: Translation<typeof en.game> = {
+export const texts: Translation<typeof en.game> = {
   "setup.title": "打一场比赛",
   "setup.hint": "两名球员，真人或机器；由裁判执行规则。",
   "setup.game": "玩法",

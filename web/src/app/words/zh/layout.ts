@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const layout: Translation<typeof en.layout> = {
+export const texts: Translation<typeof en.layout> = {
   "layout.rack": "摆球",
   "layout.game": "玩法",
   "layout.seed": "随机种子",

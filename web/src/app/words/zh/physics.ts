@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const physics: Translation<typeof en.physics> = {
+export const texts: Translation<typeof en.physics> = {
   "physics.title": "球台",
   "physics.cloth": "台呢",
   "physics.balls": "球",

@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const play: Translation<typeof en.play> = {
+export const texts: Translation<typeof en.play> = {
   "machine.level-1": "1 级，新手",
   "machine.level-2": "2 级，休闲球员",
   "machine.level-3": "3 级，俱乐部级",

@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const pot: Translation<typeof en.pot> = {
+export const texts: Translation<typeof en.pot> = {
   "pot.aimed": "{ball}打{pocket}袋：{how}，± {margin}°。",
   "pot.tap-pocket": "再点一个球袋，就瞄准把{ball}打进那里。",
   "pot.unsolved": "{ball}打{pocket}袋：这样出杆没有进球线路。请改变杆速或旋转。",

@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const presets: Translation<typeof en.presets> = {
+export const texts: Translation<typeof en.presets> = {
   "preset.pool": "美式台球",
   "preset.pool-new-cloth": "美式，新台呢",
   "preset.pool-worn-cloth": "美式，旧台呢",

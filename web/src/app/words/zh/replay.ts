@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const replay: Translation<typeof en.replay> = {
+export const texts: Translation<typeof en.replay> = {
   "replay.play": "播放",
   "replay.pause": "暂停",
   "replay.again": "重新播放",

@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const train: Translation<typeof en.train> = {
+export const texts: Translation<typeof en.train> = {
   "train.drills": "练习",
   "train.intro": "在这张球台上练习，或在真实球台上摆好，再点选每次尝试的结果。",
   "train.best": "最好成绩 {score}，满分 {most}",

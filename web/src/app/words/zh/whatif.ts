@@ -1,7 +1,7 @@
 import type * as en from "../en/index.ts";
 import type { Translation } from "../entry.ts";
 
-export const whatif: Translation<typeof en.whatif> = {
+export const texts: Translation<typeof en.whatif> = {
   "whatif.simulate": "模拟球员的误差",
   "whatif.intro": {
     other: "没有人能完全按意图出杆。设置误差的大小，即可看到这一杆的 {count} 种变化。",
