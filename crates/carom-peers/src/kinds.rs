@@ -202,15 +202,10 @@ fn paths(harvest: &Harvest) -> Vec<Kind> {
 /// Impacts of two balls, by model.
 fn ball_impacts(harvest: &Harvest) -> Vec<Kind> {
     let pool = Physics::pool();
-    let models = [
-        (BallBallModel::Elastic, "elastic"),
-        (BallBallModel::Frictional, "frictional"),
-        (BallBallModel::Compliant, "compliant"),
-        (BallBallModel::Mathavan2014, "mathavan-2014"),
-    ];
-    let mut kinds: Vec<Kind> = models
+    let mut kinds: Vec<Kind> = BallBallModel::ALL
         .into_iter()
-        .map(|(model, name)| {
+        .map(|model| {
+            let name = model.name();
             let (law, cloth) = (BallBall { model, ..pool.ball_ball }, pool.cloth);
             Kind::over("impact: ball and ball", name, harvest.pairs.clone(), move |(n, a, b)| {
                 let (mut a, mut b) = (*black_box(a), *black_box(b));
@@ -251,16 +246,10 @@ fn body(ball: Ball, velocity: Vec3, angular_velocity: Vec3) -> Body {
 /// Impacts on the table: cushions by model, slate, edges of pockets and tops.
 fn table_impacts(harvest: &Harvest) -> Vec<Kind> {
     let pool = Physics::pool();
-    let models = [
-        (CushionModel::Restitution, "restitution"),
-        (CushionModel::Han2005, "han-2005"),
-        (CushionModel::Mathavan2010, "mathavan-2010"),
-        (CushionModel::Stronge, "stronge"),
-        (CushionModel::Factors, "factors"),
-    ];
-    let mut kinds: Vec<Kind> = models
+    let mut kinds: Vec<Kind> = CushionModel::ALL
         .into_iter()
-        .map(|(model, name)| {
+        .map(|model| {
+            let name = model.name();
             let (law, cloth) = (Cushion { model, ..pool.cushion }, pool.cloth);
             let balls = harvest.rails.clone();
             Kind::over("impact: ball and cushion", name, balls, move |(normal, ball)| {

@@ -27,12 +27,7 @@ fn main() {
             (Vec3::new(sin, cos, 0.0), body)
         })
         .collect();
-    for model in [
-        BallBallModel::Elastic,
-        BallBallModel::Frictional,
-        BallBallModel::Compliant,
-        BallBallModel::Mathavan2014,
-    ] {
+    for model in BallBallModel::ALL {
         let law = BallBall { model, ..pool.ball_ball };
         let passes = if model == BallBallModel::Mathavan2014 { 40 } else { 4000 };
         let best = (0..9)

@@ -27,13 +27,7 @@ fn main() {
         })
         .collect();
     let nose = Vec3::new(sqrt(1.0 - 0.27 * 0.27), 0.0, 0.27);
-    for model in [
-        CushionModel::Restitution,
-        CushionModel::Han2005,
-        CushionModel::Stronge,
-        CushionModel::Factors,
-        CushionModel::Mathavan2010,
-    ] {
+    for model in CushionModel::ALL {
         let law = carom::physics::Cushion { model, ..pool.cushion };
         let passes = if model == CushionModel::Mathavan2010 { 40 } else { 4000 };
         let best = (0..9)

@@ -61,18 +61,44 @@ pub struct Cloth {
     pub spin_deceleration: f64,
 }
 
-/// Which published model resolves a collision of two balls.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum BallBallModel {
-    /// Impulse along the line of centres with restitution, no friction. In a shot file this model
-    /// has the restitution 1 unless the file gives another.
-    Elastic,
-    /// Impulse with restitution and Coulomb friction, rigid in the tangent plane.
-    Frictional,
-    /// Mathavan, Jackson & Parkin 2014: impulse integrated, with cloth friction.
-    Mathavan2014,
-    /// Stronge's tangentially compliant contact, with realistic throw.
-    Compliant,
+/// An enum of published models with their names in shot files.
+macro_rules! models {
+    (
+        $(#[$about:meta])*
+        pub enum $models:ident { $($(#[$doc:meta])* $model:ident = $name:literal,)+ }
+    ) => {
+        $(#[$about])*
+        #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        pub enum $models { $($(#[$doc])* $model,)+ }
+
+        impl $models {
+            /// All models, with their names in shot files.
+            pub const NAMED: &[(&str, Self)] = &[$(($name, Self::$model)),+];
+
+            /// All models.
+            pub const ALL: [Self; Self::NAMED.len()] = [$(Self::$model),+];
+
+            /// The model's name in shot files.
+            pub const fn name(self) -> &'static str {
+                match self { $(Self::$model => $name),+ }
+            }
+        }
+    };
+}
+
+models! {
+    /// Which published model resolves a collision of two balls.
+    pub enum BallBallModel {
+        /// Impulse along the line of centres with restitution, no friction. In a shot file this model
+        /// has the restitution 1 unless the file gives another.
+        Elastic = "elastic",
+        /// Impulse with restitution and Coulomb friction, rigid in the tangent plane.
+        Frictional = "frictional",
+        /// Mathavan, Jackson & Parkin 2014: impulse integrated, with cloth friction.
+        Mathavan2014 = "mathavan-2014",
+        /// Stronge's tangentially compliant contact, with realistic throw.
+        Compliant = "compliant",
+    }
 }
 
 /// Friction coefficient as a function of the slip speed: μ(s) = a + b·exp(−c·s).
@@ -119,19 +145,20 @@ impl BallBall {
     }
 }
 
-/// Which published model resolves a collision with a cushion.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum CushionModel {
-    /// Normal velocity × −e; nothing else changes.
-    Restitution,
-    /// Han 2005.
-    Han2005,
-    /// Mathavan, Jackson & Parkin 2010.
-    Mathavan2010,
-    /// Stronge's compliant contact.
-    Stronge,
-    /// Constant factors on the velocity's two parts and on the spin, as in FastFiz.
-    Factors,
+models! {
+    /// Which published model resolves a collision with a cushion.
+    pub enum CushionModel {
+        /// Normal velocity × −e; nothing else changes.
+        Restitution = "restitution",
+        /// Han 2005.
+        Han2005 = "han-2005",
+        /// Mathavan, Jackson & Parkin 2010.
+        Mathavan2010 = "mathavan-2010",
+        /// Stronge's compliant contact.
+        Stronge = "stronge",
+        /// Constant factors on the velocity's two parts and on the spin, as in FastFiz.
+        Factors = "factors",
+    }
 }
 
 /// Restitution of the cushion as a function of the normal speed V before the impact: e = a + bV +
@@ -226,14 +253,15 @@ pub enum Tip {
     Efficiency(f64),
 }
 
-/// Which law gives the velocities of a struck ball.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum StrikeModel {
-    /// The tip, the ball, the slate and all that touches the ball act at once
-    /// ([`network`](crate::resolve::network)). A tip alone has the law of the model `Sequential`.
-    Network,
-    /// First the tip alone (Leckie & Greenspan 2005), then the slate (TP B.10), then other balls.
-    Sequential,
+models! {
+    /// Which law gives the velocities of a struck ball.
+    pub enum StrikeModel {
+        /// The tip, the ball, the slate and all that touches the ball act at once
+        /// ([`network`](crate::resolve::network)). A tip alone has the law of the model `Sequential`.
+        Network = "network",
+        /// First the tip alone (Leckie & Greenspan 2005), then the slate (TP B.10), then other balls.
+        Sequential = "sequential",
+    }
 }
 
 /// The cue.

@@ -127,13 +127,16 @@ fn cling(rng: &mut Random) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::{ShotFamily, shot_file};
-    use super::{BALLS, CUSHIONS, SURFACES};
+    use super::SURFACES;
+    use carom::physics::{BallBallModel, CushionModel};
 
     #[test]
     fn every_law_is_drawn() {
         let all: String = (0..500).map(|seed| shot_file(ShotFamily::Laws, seed)).collect();
         let words = ["up_to", "lowest", "highest", "cling", "pool-2026-11", "carom"];
-        for word in words.iter().chain(&CUSHIONS).chain(&BALLS).chain(&SURFACES) {
+        let (cushions, balls) = (CushionModel::ALL, BallBallModel::ALL);
+        let models = cushions.iter().map(|m| m.name()).chain(balls.iter().map(|m| m.name()));
+        for word in models.chain(words).chain(SURFACES) {
             assert!(all.contains(&format!("\"{word}\"")), "{word}");
         }
     }

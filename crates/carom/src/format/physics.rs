@@ -4,7 +4,7 @@ use alloc::format;
 use alloc::vec::Vec;
 
 use super::angle::STROKE_ELEVATION;
-use super::node::{Node, word_of};
+use super::node::Node;
 use super::read::At;
 use crate::Ball;
 use crate::edition;
@@ -28,24 +28,6 @@ const FREQUENCY_RATIO: Range = Range::closed(1.0, 2.0, "");
 /// How long a contact lasts at 1 m/s. Two balls touch for 0.35 ms (Alciatore, TP B.29); beyond this
 /// range the steps of a network would not resolve its shortest and its longest contact together.
 const CONTACT_TIME: Range = Range::closed(5e-5, 5e-2, " s");
-
-const STRIKE_MODELS: &[(&str, StrikeModel)] =
-    &[("network", StrikeModel::Network), ("sequential", StrikeModel::Sequential)];
-
-const BALL_BALL_MODELS: &[(&str, BallBallModel)] = &[
-    ("elastic", BallBallModel::Elastic),
-    ("frictional", BallBallModel::Frictional),
-    ("mathavan-2014", BallBallModel::Mathavan2014),
-    ("compliant", BallBallModel::Compliant),
-];
-
-const CUSHION_MODELS: &[(&str, CushionModel)] = &[
-    ("restitution", CushionModel::Restitution),
-    ("han-2005", CushionModel::Han2005),
-    ("mathavan-2010", CushionModel::Mathavan2010),
-    ("stronge", CushionModel::Stronge),
-    ("factors", CushionModel::Factors),
-];
 
 /// Reads `physics`; `default` is the preset that belongs to the table.
 pub(super) fn read(at: Option<&At<'_>>, default: &str) -> Result<Physics, Error> {
@@ -145,7 +127,7 @@ fn rolling_band(at: &At<'_>) -> Result<RollingBand, Error> {
 fn ball_ball(at: &At<'_>, law: &mut BallBall) -> Result<(), Error> {
     let fields = at.fields(&["model", "restitution", "friction", "frequency_ratio"])?;
     if let Some(at) = fields.get("model") {
-        law.model = at.choice("ball–ball model", BALL_BALL_MODELS)?;
+        law.model = at.choice("ball–ball model", BallBallModel::NAMED)?;
         if law.model == BallBallModel::Elastic {
             // A user who chooses elastic balls does not expect the base's losses.
             law.restitution = 1.0;
@@ -193,7 +175,7 @@ fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
         "spin_factor",
     ])?;
     if let Some(at) = fields.get("model") {
-        law.model = at.choice("cushion model", CUSHION_MODELS)?;
+        law.model = at.choice("cushion model", CushionModel::NAMED)?;
     }
     if let Some(at) = fields.get("restitution") {
         cushion_restitution(&at, &mut law.restitution)?;
@@ -269,7 +251,7 @@ fn cue(at: &At<'_>, cue: &mut Cue) -> Result<(), Error> {
         "stroke_elevation_deg",
     ])?;
     if let Some(at) = fields.get("model") {
-        cue.model = at.choice("strike model", STRIKE_MODELS)?;
+        cue.model = at.choice("strike model", StrikeModel::NAMED)?;
     }
     fields.number_into("mass", &MASS, &mut cue.mass)?;
     fields.number_into("end_mass", &Range::not_negative(" kg"), &mut cue.end_mass)?;
@@ -339,7 +321,7 @@ fn write(physics: &Physics) -> Node {
         Tip::Efficiency(eta) => ("tip_efficiency", eta.into()),
     };
     let mut cue_node = Node::object([
-        ("model", word_of(STRIKE_MODELS, cue.model)),
+        ("model", Node::from(cue.model.name())),
         ("mass", cue.mass.into()),
         ("end_mass", cue.end_mass.into()),
         ("tip_radius", cue.tip_radius.into()),
@@ -362,7 +344,7 @@ fn write(physics: &Physics) -> Node {
         (
             "ball_ball",
             Node::object([
-                ("model", word_of(BALL_BALL_MODELS, ball_ball.model)),
+                ("model", Node::from(ball_ball.model.name())),
                 ("restitution", ball_ball.restitution.into()),
                 ("friction", write_slip_friction(&ball_ball.friction)),
                 ("frequency_ratio", ball_ball.frequency_ratio.into()),
@@ -425,7 +407,7 @@ fn write_cushion(cushion: &Cushion) -> Node {
     let friction =
         if b == 0.0 { a.into() } else { Node::object([("a", a.into()), ("b", b.into())]) };
     Node::object([
-        ("model", word_of(CUSHION_MODELS, cushion.model)),
+        ("model", Node::from(cushion.model.name())),
         ("restitution", restitution),
         ("friction", friction),
         ("frequency_ratio", cushion.frequency_ratio.into()),

@@ -16,12 +16,6 @@ const CLOTH: Cloth = Cloth {
 };
 const GRAVITY: f64 = 9.81;
 const IMPACTS: u32 = 100_000;
-const MODELS: [BallBallModel; 4] = [
-    BallBallModel::Elastic,
-    BallBallModel::Frictional,
-    BallBallModel::Mathavan2014,
-    BallBallModel::Compliant,
-];
 
 struct RandomImpact {
     law: BallBall,
@@ -121,7 +115,7 @@ fn energy(ball: &Body) -> f64 {
 }
 
 fn every_impact(check: impl Fn(&RandomImpact, Body, Body)) {
-    for (seed, model) in MODELS.into_iter().enumerate() {
+    for (seed, model) in BallBallModel::ALL.into_iter().enumerate() {
         let mut random = Random(1 + seed as u64);
         // Integrated collisions take a hundred times longer.
         let impacts = if model == BallBallModel::Mathavan2014 { IMPACTS / 25 } else { IMPACTS };
@@ -270,7 +264,7 @@ fn friction_opposes_the_slip_and_stays_within_coulombs_bound() {
 #[test]
 fn turning_the_whole_impact_about_the_vertical_turns_the_result() {
     let mut random = Random(13);
-    for model in MODELS {
+    for model in BallBallModel::ALL {
         let impacts = if model == BallBallModel::Mathavan2014 { IMPACTS / 100 } else { IMPACTS };
         for _ in 0..impacts {
             let impact = RandomImpact::random(&mut random, model);
@@ -340,7 +334,7 @@ fn english_pools_unequal_balls_still_separate_after_the_slate_has_acted() {
     let mut random = Random(19);
     let english = carom::Physics::english();
     let sizes = [(0.116, 0.0254), (0.094, 0.0238)];
-    for model in MODELS {
+    for model in BallBallModel::ALL {
         let law = BallBall { model, ..english.ball_ball };
         for _ in 0..IMPACTS / 10 {
             let speed = exp(random.between(-9.0, 2.3));
@@ -396,7 +390,7 @@ fn exchanging_the_balls_exchanges_the_results_to_the_bit() {
 fn a_networks_energy_never_rises_and_its_momentum_is_conserved() {
     let mut random = Random(11);
     for _ in 0..IMPACTS / 4 {
-        let model = MODELS[random.pick(4)];
+        let model = BallBallModel::ALL[random.pick(4)];
         let size = 3 + random.pick(4);
         let mut bodies: Vec<Body> =
             (0..size).map(|_| RandomImpact::random(&mut random, model).a).collect();

@@ -73,12 +73,7 @@ fn maximum(f: impl Fn(f64) -> f64, mut low: f64, mut high: f64) -> (f64, f64) {
 
 #[test]
 fn bb1_a_stun_shot_without_losses_parts_at_a_right_angle() {
-    for model in [
-        BallBallModel::Elastic,
-        BallBallModel::Frictional,
-        BallBallModel::Compliant,
-        BallBallModel::Mathavan2014,
-    ] {
+    for model in BallBallModel::ALL {
         let law = BallBall { model, ..law(1.0, SlipFriction::constant(0.0)) };
         for step in 1..90 {
             let cut = radians(f64::from(step));

@@ -3,6 +3,7 @@
 use std::collections::BTreeSet;
 
 use carom::format::{Node, schema};
+use carom::physics::{BallBallModel, CushionModel, StrikeModel};
 use carom::{Shot, edition};
 
 fn parsed(text: &str) -> Node {
@@ -85,6 +86,28 @@ fn the_shot_schema_and_the_reader_have_the_same_keys() {
     of_tables.insert(String::from("cloth"));
     let text = file(r#"{"qqqqqqqqqq": 1}"#, good.1, "", "", "");
     assert_eq!(of_tables, keys_of_the_reader(&text));
+}
+
+#[test]
+fn the_shot_schema_names_every_model() {
+    let schema = parsed(schema::SHOT);
+    let listed = |section| {
+        let path = [
+            "$defs",
+            "physics",
+            "oneOf",
+            "1",
+            "properties",
+            section,
+            "properties",
+            "model",
+            "enum",
+        ];
+        words(at(&schema, &path))
+    };
+    assert_eq!(listed("ball_ball"), BallBallModel::ALL.map(BallBallModel::name));
+    assert_eq!(listed("cushion"), CushionModel::ALL.map(CushionModel::name));
+    assert_eq!(listed("cue"), StrikeModel::ALL.map(StrikeModel::name));
 }
 
 #[test]
