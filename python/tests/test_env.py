@@ -28,7 +28,7 @@ TASKS = sorted(carom.env.ENVIRONMENTS.values())
 MIDDLES = {
     "carom/EightBall-v6": (6, 0),
     "carom/NineBall-v3": (3, 0),
-    "carom/TenBall-v4": (4, 0),
+    "carom/TenBall-v5": (4, 0),
     "carom/StraightPool-v4": (5, 0),
     "carom/Snooker-v6": (2, 6),
     "carom/ThreeCushion-v6": (2, 0),
@@ -43,7 +43,7 @@ RESULTS = {
     "carom/Snooker-v6": "c2cc1317c4fa9746",
     "carom/StraightPool-v4": "0b8e88200bfbd92f",
     "carom/SumToThree-v3": "9c919dbc73c6b11a",
-    "carom/TenBall-v4": "509bde415a58cf86",
+    "carom/TenBall-v5": "1287f2021f3c2dca",
     "carom/ThreeCushion-v6": "4ddce330d8d8f4fa",
 }
 

@@ -40,7 +40,7 @@ def third_rail(game: str, line: Line, spin: float, physics: Physics) -> float:
 
     `line` has two points, in diamonds from the nose lines and, at a rail, on its line of sights.
     """
-    table, _, _, radius = TABLES[game]
+    table, radius = TABLES[game].table, TABLES[game].radius
     (x, y), (to_x, to_y) = line
     way = np.array([to_x - x, to_y - y])
     way /= np.linalg.norm(way)

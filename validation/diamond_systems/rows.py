@@ -19,18 +19,19 @@ SIGHT = 3.6875 * INCH
 
 
 class SizedTable(NamedTuple):
-    """A table, its width and its length (m)."""
+    """A table, its width and length (m), and the radius of its balls (m)."""
 
     table: JSON | str
     width: float
     length: float
+    radius: float
 
 
 #: By preset of the physics. The pool table has no pockets here, because a system also counts
 #: diamonds at pockets.
 TABLES = {
-    "pool": SizedTable({"length": 2.54, "width": 1.27, "pockets": "none"}, 1.27, 2.54),
-    "carom": SizedTable("carom-10ft", 1.42, 2.84),
+    "pool": SizedTable({"length": 2.54, "width": 1.27, "pockets": "none"}, 1.27, 2.54, 0.028575),
+    "carom": SizedTable("carom-10ft", 1.42, 2.84, 0.03075),
 }
 #: Speed of the cue, m/s. The ball has about 2.5 m/s at the first rail: "medium".
 CUE_SPEED = 2.2

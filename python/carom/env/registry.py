@@ -9,7 +9,7 @@ ENVIRONMENTS = {
     "carom/Potting-v3": "potting",
     "carom/EightBall-v6": "eight-ball",
     "carom/NineBall-v3": "nine-ball",
-    "carom/TenBall-v4": "ten-ball",
+    "carom/TenBall-v5": "ten-ball",
     "carom/StraightPool-v4": "straight-pool",
     "carom/Snooker-v6": "snooker",
     "carom/ThreeCushion-v6": "three-cushion",
