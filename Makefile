@@ -124,6 +124,7 @@ bench: $(BUILT) $(PAGE) ## The benchmarks; results under benches/results/.
 	$(PY) benches/questions.py
 	$(PY) benches/amplification.py
 	$(PY) benches/many_balls.py
+	$(PY) benches/pushes.py
 	cd web && $(ALONE) npm run --silent bench
 
 bench-peer: $(TOOLS) ## The same beside pooltool 0.6.0, in an environment of its own (1 GB).

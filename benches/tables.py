@@ -173,6 +173,16 @@ def amplification(result: JSON) -> str:
     return markdown(head, lines)
 
 
+def pushes(result: JSON) -> str:
+    """Events of shots in which a spinning ball pushes others."""
+    spins = [f"{spin:,.0f} rad/s".replace(",", " ") for spin in result["spins_rad_s"]]
+    lines = [
+        [name, *(f"{events:,}".replace(",", " ") for events in row)]
+        for name, row in result["events"].items()
+    ]
+    return markdown(["Balls in the row", *spins], lines)
+
+
 def rows_of_balls(result: JSON) -> str:
     """Speeds of balls in a row after the impact."""
     names = {"1 moving": "one moves", "2 moving": "two move"}
@@ -444,6 +454,7 @@ TABLES: dict[str, Callable[[JSON], str]] = (
         "times": times,
         "events": events,
         "amplification": amplification,
+        "pushes": pushes,
         "rows": rows_of_balls,
         "breaks": breaks,
         "frozen": frozen_cue_ball,

@@ -2,6 +2,7 @@
 
 use carom::format::{Node, SHOT_FORMAT};
 use carom::math::{Vec2, Vec3};
+use carom::physics::BallBallModel;
 use carom::{BallState, Error, MotionState, Shot};
 use proptest::prelude::*;
 use proptest::sample::{select, subsequence};
@@ -14,7 +15,6 @@ const GRID: f64 = 1.0 / (1u64 << 40) as f64;
 /// balls are at least a pool ball's diameter apart.
 const JITTER: f64 = 0.09;
 
-const BALL_BALL_MODELS: [&str; 4] = ["elastic", "frictional", "mathavan-2014", "compliant"];
 const CUSHION_MODELS: [&str; 4] = ["restitution", "han-2005", "mathavan-2010", "stronge"];
 
 /// A table whose sides are short binary fractions.
@@ -163,16 +163,19 @@ pub(crate) fn plan(ground: Ground, most: usize) -> impl Strategy<Value = Plan> {
     };
     let balls = subsequence(cells, 1..=most)
         .prop_flat_map(|cells| cells.into_iter().map(ball).collect::<Vec<_>>());
-    (select(&BALL_BALL_MODELS[..]), select(&CUSHION_MODELS[..]), balls).prop_map(
-        move |(ball_ball, cushion, balls)| Plan {
+    (
+        select(BallBallModel::ALL.map(BallBallModel::name).to_vec()),
+        select(&CUSHION_MODELS[..]),
+        balls,
+    )
+        .prop_map(move |(ball_ball, cushion, balls)| Plan {
             ground,
             ball_ball,
             cushion,
             changes: Vec::new(),
             gravity: 9.81,
             balls,
-        },
-    )
+        })
 }
 
 /// Shots on every ground.

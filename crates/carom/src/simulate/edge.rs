@@ -3,8 +3,7 @@
 use crate::Table;
 use crate::math::{Vec2, Vec3};
 use crate::resolve::ball_edge::Edge;
-use crate::table::Shape;
-use crate::table::TableFeature;
+use crate::table::{Shape, TableFeature};
 
 /// The lip of a hole, where a ball with its centre at `position` (m) touches it.
 pub(super) fn lip_edge(table: &Table, pocket: u8, position: Vec3, radius: f64) -> Edge {

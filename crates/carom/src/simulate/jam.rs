@@ -80,9 +80,9 @@ impl Jam {
         self.all = 0;
     }
 
-    /// Counts one of the first contacts. Returns `false`, and counts nothing, after them.
+    /// Counts a contact, up to [`FIRST_CONTACTS`], and returns whether there were fewer.
     #[inline(always)]
-    pub(super) fn is_early(&mut self) -> bool {
+    pub(super) fn count_early(&mut self) -> bool {
         self.all += u32::from(self.all < FIRST_CONTACTS);
         self.all < FIRST_CONTACTS
     }
@@ -122,7 +122,7 @@ mod tests {
         let mut jam = Jam::NONE;
         (0..contacts).any(|k| {
             let time = 2e-4 * f64::from(k);
-            !jam.is_early()
+            !jam.count_early()
                 && jam.touch(
                     things[k as usize % things.len()],
                     Vec3::new(speed * time, 0.0, 0.03),
@@ -167,7 +167,7 @@ mod tests {
         for k in 0..2 * JAM_CONTACTS {
             let time = 2e-4 * (f64::from(k) - f64::from(JAM_CONTACTS));
             let place = Vec3::new(0.5 * time * time, 0.0, 0.03);
-            let jams = !jam.is_early() && jam.touch(Touched::Cushion(k as u16 % 2), place, time);
+            let jams = !jam.count_early() && jam.touch(Touched::Cushion(k as u16 % 2), place, time);
             assert!(!jams, "at {time}");
         }
     }

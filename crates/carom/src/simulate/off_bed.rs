@@ -160,7 +160,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         state: &BallState,
         step: &mut StepContext<'_, R>,
     ) {
-        if !self.jam[i].is_early() {
+        if !self.jam[i].count_early() {
             self.stop_if_still_there(i, touched, state, step);
         }
     }
