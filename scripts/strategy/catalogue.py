@@ -93,21 +93,14 @@ PARTS = {
 for part, setting in PARTS.items():
     EXPERIMENTS[f"part-{part}"] = Match(f"carom[{setting}]:10000", "carom:10000", pairs=120)
 
-# Other searches against the default one, at about 0.1 s and 1 s of one core for a decision.
-SEARCHES = {"ocba": "allocation=ocba", "kr-uct": "method=kr-uct", "replies": "replying=0.3"}
+# The search with replies against the default one, at about 0.1 s and 1 s of one core for a decision.
 for simulations, pairs in ((5000, 120), (SECOND, 60)):
-    for search, setting in SEARCHES.items():
-        EXPERIMENTS[f"search-{search}-{simulations}"] = Match(
-            f"carom[{setting}]:{simulations}",
-            f"carom:{simulations}",
-            pairs=pairs,
-            test=(0.45, 0.55),
-        )
-
-# A match of fixed length tells more of the search that is nearest to the default.
-EXPERIMENTS["search-kr-uct-5000-fixed"] = Match(
-    "carom[method=kr-uct]:5000", "carom:5000", pairs=400
-)
+    EXPERIMENTS[f"search-replies-{simulations}"] = Match(
+        f"carom[replying=0.3]:{simulations}",
+        f"carom:{simulations}",
+        pairs=pairs,
+        test=(0.45, 0.55),
+    )
 
 # The levels of strength, each against the one below.
 for number in (2, 3, 4, 5):

@@ -24,4 +24,4 @@ pub use analysis::{Analysis, Recommendation};
 pub use level::{LEVELS, Level};
 pub use player::{Answer, Budget, Decision, Player, Situation, Spent};
 pub use searcher::Searcher;
-pub use settings::{Allocation, BreakChoice, SearchMethod, SearchSettings};
+pub use settings::{BreakChoice, SearchSettings};

@@ -49,6 +49,7 @@ impl Searcher {
     /// # Errors
     /// [`Error::Input`] for an unknown key and for a value out of range.
     pub fn read(name: &str, object: &Reader<'_>) -> Result<Self, Error> {
+        SearchSettings::refuse_removed(object)?;
         let keys: Vec<&str> = core::iter::once("value").chain(SearchSettings::KEYS).collect();
         object.keys(&keys)?;
         let value: Box<dyn Value> = match object.get("value") {

@@ -6,27 +6,6 @@ use carom::rack::Game;
 
 use crate::breaks::BreakShot;
 
-/// How a race gives samples to its candidates.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Allocation {
-    /// Sequential halving (Karnin, Koren & Somekh 2013).
-    #[default]
-    Halving,
-    /// Optimal computing budget allocation (Chen, Lin, Yücesan & Chick 2000).
-    Ocba,
-}
-
-/// How the candidates of a shot are compared. Opening shots are always raced.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum SearchMethod {
-    /// A race with common errors, whose finalists are moved and searched again.
-    #[default]
-    Race,
-    /// Monte Carlo tree search with kernel regression (Yee, Lisý & Bowling 2016). The settings
-    /// `shift`, `allocation`, `replying` and `finalists` belong to the race.
-    KrUct,
-}
-
 /// How the searching player chooses its opening shots.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum BreakChoice {
@@ -54,8 +33,6 @@ impl BreakChoice {
 /// How the searching player searches.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SearchSettings {
-    /// How the candidates are compared.
-    pub method: SearchMethod,
     /// Share of a round's simulations that search for candidates; the rest races them. Above 0, to 0.9.
     pub exploring: f64,
     /// Candidates that enter the first race, if enough are found. A large round has more.
@@ -71,15 +48,12 @@ pub struct SearchSettings {
     pub replying: f64,
     /// Largest number of finalists whose successors are searched, if [`Self::replying`] is not 0. At least 1.
     pub finalists: usize,
-    /// Fewest simulations for each of them. A round that cannot afford them searches none. With
-    /// [`SearchMethod::KrUct`]: simulations that look for the plays of a position in the tree.
+    /// Fewest simulations for each of them. A round that cannot afford them searches none.
     pub per_reply: u64,
     /// Whether finalists are moved uphill by the weights of their samples.
     pub shift: bool,
     /// Whether all candidates are raced with the same drawn errors.
     pub common_errors: bool,
-    /// How the race gives samples to the candidates.
-    pub allocation: Allocation,
     /// Number of plays whose chances are stated, from samples that took no part in the choice. At
     /// least 1.
     pub stated: usize,
@@ -93,7 +67,6 @@ pub struct SearchSettings {
 impl Default for SearchSettings {
     fn default() -> Self {
         Self {
-            method: SearchMethod::Race,
             exploring: 0.6,
             racing: 48,
             safeties: 12,
@@ -104,7 +77,6 @@ impl Default for SearchSettings {
             per_reply: 60,
             shift: true,
             common_errors: true,
-            allocation: Allocation::Halving,
             stated: 1,
             concede_below: 0.001,
             break_shot: BreakChoice::Searched,
@@ -114,8 +86,8 @@ impl Default for SearchSettings {
 
 /// Largest sum of a round's shares for exploring or refining and for replies: the rest is for the race.
 const MOST_SHARES: f64 = 0.9;
-/// Settings of the race, which a tree does not have.
-const OF_THE_RACE: [&str; 4] = ["shift", "allocation", "replying", "finalists"];
+/// Settings that chose other searches than the race by sequential halving.
+const REMOVED: [&str; 2] = ["method", "allocation"];
 /// Share of the simulations that states the chances of a play, and the largest share for all plays.
 const FRESH: f64 = 0.06;
 const FRESH_IN_ALL: f64 = 0.25;
@@ -133,8 +105,7 @@ impl SearchSettings {
     }
 
     /// The names of the settings that [`Self::read`] knows.
-    pub const KEYS: [&str; 13] = [
-        "method",
+    pub const KEYS: [&str; 11] = [
         "exploring",
         "racing",
         "safeties",
@@ -145,9 +116,20 @@ impl SearchSettings {
         "per-reply",
         "shift",
         "common-errors",
-        "allocation",
         "break",
     ];
+
+    /// Rejects the settings of searches that were removed.
+    ///
+    /// # Errors
+    /// [`Error::Input`] with the key of such a setting.
+    pub(crate) fn refuse_removed(object: &Reader<'_>) -> Result<(), Error> {
+        REMOVED.into_iter().find_map(|key| object.get(key)).map_or(Ok(()), |value| {
+            let what =
+                "it was removed: no other search was better than the race by sequential halving";
+            Err(value.refuse(what, "leave it out"))
+        })
+    }
 
     /// The settings of an object with some of [`Self::KEYS`]; the others keep their defaults.
     ///
@@ -180,33 +162,12 @@ impl SearchSettings {
         settings.per_reply = count("per-reply", 1, settings.per_reply)?;
         settings.shift = flag("shift", settings.shift)?;
         settings.common_errors = flag("common-errors", settings.common_errors)?;
-        if let Some(value) = object.get("method") {
-            settings.method = match value.text("race or kr-uct")? {
-                "race" => SearchMethod::Race,
-                "kr-uct" => SearchMethod::KrUct,
-                word => return Err(value.unknown_word(word, "method", &["race", "kr-uct"])),
-            };
-        }
         if let Some((key, what, remedy)) = settings.leaves_too_little() {
             let value = object.get(key).or_else(|| object.get("replying"));
             return Err(value.map_or_else(
                 || Error::input("settings", what.clone(), remedy.clone()),
                 |value| value.refuse(what.clone(), remedy.clone()),
             ));
-        }
-        if settings.method == SearchMethod::KrUct {
-            for key in OF_THE_RACE {
-                if let Some(value) = object.get(key) {
-                    return Err(value.refuse("kr-uct has no race", "leave it out"));
-                }
-            }
-        }
-        if let Some(value) = object.get("allocation") {
-            settings.allocation = match value.text("halving or ocba")? {
-                "halving" => Allocation::Halving,
-                "ocba" => Allocation::Ocba,
-                word => return Err(value.unknown_word(word, "allocation", &["halving", "ocba"])),
-            };
         }
         if let Some(value) = object.get("break") {
             settings.break_shot = match value.text("searched or center")? {

@@ -8,9 +8,7 @@ use carom::shot::PlacedBall;
 use carom::{Error, Noise, Shot};
 use carom_mind::search::PlayKind;
 use carom_mind::value::{Logistic, Markov};
-use carom_mind::{
-    Answer, Budget, Decision, Player, SearchMethod, SearchSettings, Searcher, Situation, Spent,
-};
+use carom_mind::{Answer, Budget, Decision, Player, SearchSettings, Searcher, Situation, Spent};
 use carom_plan::Prepared;
 use carom_rules::{Call, Frame, FrameSimulator, Options, Play, Request, Rules};
 
@@ -37,23 +35,9 @@ fn decide(frame: &Frame, noise: Noise, simulations: u64) -> Decision {
     Searcher::default().decide(&situation, &Budget::simulations(simulations)).expect("a decision")
 }
 
-/// The player that searches a tree in place of the race.
-fn tree_player() -> Searcher {
-    let settings = SearchSettings { method: SearchMethod::KrUct, ..SearchSettings::default() };
-    Searcher::new("kr-uct", Box::<Logistic>::default(), settings).expect("a player")
-}
-
 #[test]
 fn every_request_of_every_game_gets_an_answer_until_the_frame_is_over() {
-    play_every_game(Searcher::default());
-}
-
-#[test]
-fn a_tree_answers_every_request_of_every_game() {
-    play_every_game(tree_player());
-}
-
-fn play_every_game(mut player: Searcher) {
+    let mut player = Searcher::default();
     let noise = Noise::olympiad(1.0);
     let mut simulator = FrameSimulator::new();
     for rules in Rules::ALL {
@@ -129,33 +113,6 @@ fn the_number_of_rounds_repeats_a_decision_that_a_clock_has_ended() {
     assert_eq!(timed.spent.rounds, 2);
     let again = Budget { rounds: Some(2), ..Budget::simulations(50_000) };
     assert_eq!(Searcher::default().decide(&situation, &again).expect("a decision"), timed);
-}
-
-#[test]
-fn a_tree_gives_the_same_decision_again_and_keeps_its_budget() {
-    let frame = six_balls();
-    let situation = Situation::new(&frame, Noise::olympiad(1.0), 4);
-    let decide = |threads, rounds, is_over: &(dyn Fn(Spent) -> bool + Sync)| {
-        let runner = Runner::new(Some(threads)).expect("a runner");
-        let budget = Budget { runner, rounds, is_over, ..Budget::simulations(9000) };
-        tree_player().decide(&situation, &budget).expect("a decision")
-    };
-    let never = |_: Spent| false;
-    let whole = decide(1, None, &never);
-    assert_eq!(decide(5, None, &never), whole);
-    assert!(whole.spent.rounds >= 2, "{:?}", whole.spent);
-    // The searches for plays may cost a few simulations more than they should.
-    assert!((8000..9050).contains(&whole.spent.simulations), "{:?}", whole.spent);
-    // A clock that ends it after its second round.
-    let timed = decide(1, None, &|spent: Spent| spent.rounds >= 2);
-    assert_eq!(timed.spent.rounds, 2);
-    assert_eq!(decide(2, Some(2), &never), timed);
-    // The race spends its simulations in another way.
-    assert_ne!(decide_in_a_race(&situation).spent, whole.spent);
-}
-
-fn decide_in_a_race(situation: &Situation<'_>) -> Decision {
-    Searcher::default().decide(situation, &Budget::simulations(9000)).expect("a decision")
 }
 
 #[test]

@@ -8,8 +8,6 @@ mod even_errors;
 mod explore;
 mod fouls;
 mod hand;
-mod kernel_regression;
-mod kernel_tree;
 mod naming;
 mod openings;
 mod pots;

@@ -1,21 +1,18 @@
 //! The race between candidates with common errors: all are played with the same errors, which are
 //! spread evenly.
 //!
-//! By default it is sequential halving (Karnin, Koren & Somekh 2013): heats of equal cost, each of which
-//! drops the worse half. The alternative is optimal computing budget allocation (Chen, Lin, Yücesan &
-//! Chick 2000): every step gives samples to the candidates that are most easily mistaken for the best.
+//! It is sequential halving (Karnin, Koren & Somekh 2013): heats of equal cost, each of which drops the worse
+//! half.
 
 use core::ops::Range;
 
 use carom::Error;
-use carom::math::sqrt;
 use carom::runner::Runner;
 use carom_rules::{Frame, Seat};
 
 use super::candidate::{Candidate, PlayedVariant};
 use super::even_errors::EvenErrors;
 use crate::player::Situation;
-use crate::settings::Allocation;
 use crate::value::{Position, Value};
 use carom::noise::Errors;
 use carom_plan::{Prepared, Sampler};
@@ -24,14 +21,6 @@ use carom_plan::{Prepared, Sampler};
 const CHUNK: u64 = 8;
 /// Number of the first errors that take no part in a choice. No race plays so many.
 const FRESH: u64 = 1 << 40;
-
-/// Samples of every candidate before the first step of [`Allocation::Ocba`], and candidates that get
-/// further samples in a step.
-const FIRST_SAMPLES: u64 = 8;
-const STEP: usize = 8;
-/// Smallest difference of two values and smallest variance that the allocation sees.
-const LEAST_DIFFERENCE: f64 = 1e-3;
-const LEAST_VARIANCE: f64 = 1e-4;
 
 /// What is raced.
 #[derive(Clone, Copy)]
@@ -43,7 +32,6 @@ pub(crate) struct Race<'a> {
     pub(crate) runner: &'a Runner,
     /// Whether all candidates have the same errors.
     pub(crate) common_errors: bool,
-    pub(crate) allocation: Allocation,
     /// What is added to the value of a foul.
     pub(crate) foul_correction: f64,
 }
@@ -55,43 +43,6 @@ impl Race<'_> {
     /// # Errors
     /// As [`Sampler::simulate_variant`].
     pub(crate) fn run(&self, candidates: &mut [Candidate], simulations: u64) -> Result<u64, Error> {
-        match self.allocation {
-            Allocation::Halving => self.halve(candidates, simulations),
-            Allocation::Ocba => self.allocate(candidates, simulations),
-        }
-    }
-
-    /// Optimal computing budget allocation.
-    fn allocate(&self, candidates: &mut [Candidate], simulations: u64) -> Result<u64, Error> {
-        let by_mean = |a: &Candidate, b: &Candidate| b.mean().total_cmp(&a.mean());
-        candidates.sort_by(by_mean);
-        let affordable = (simulations / FIRST_SAMPLES).max(1) as usize;
-        let racing = affordable.min(candidates.len());
-        let candidates = &mut candidates[..racing];
-        let first = |candidate: &Candidate| candidate.samples.len() as u64;
-        let mut spent = 0;
-        let mut add = |candidates: &mut [Candidate], chosen: &[usize], samples: u64| {
-            let jobs = chosen.iter().map(|k| (*k, first(&candidates[*k]), samples));
-            let played = self.sample(candidates, jobs.collect())?;
-            for (k, chunk) in played {
-                spent += chunk.len() as u64;
-                candidates[k].samples.extend(chunk);
-            }
-            Ok::<u64, Error>(spent)
-        };
-        let new: Vec<usize> =
-            (0..racing).filter(|k| first(&candidates[*k]) < FIRST_SAMPLES).collect();
-        let mut used = add(candidates, &new, FIRST_SAMPLES)?;
-        while used + CHUNK * STEP as u64 <= simulations {
-            let chosen = most_needed(candidates, STEP);
-            used = add(candidates, &chosen, CHUNK)?;
-        }
-        candidates.sort_by(by_mean);
-        Ok(used)
-    }
-
-    /// Sequential halving.
-    fn halve(&self, candidates: &mut [Candidate], simulations: u64) -> Result<u64, Error> {
         let mut left = candidates.len();
         let mut spent = 0;
         // The number of times that `left` is halved, rounded up, until one is left.
@@ -214,94 +165,5 @@ impl Race<'_> {
             perception: self.situation.perception.clone(),
             seed: self.situation.seed ^ own,
         }
-    }
-}
-
-/// The `count` candidates whose samples are fewest, beside what the allocation gives them: for two
-/// candidates that are not the best Nᵢ/Nⱼ = (σᵢ/δᵢ)²/(σⱼ/δⱼ)², where δ is the difference to the best
-/// mean, and for the best N = σ √(Σ Nᵢ²/σᵢ²) (Chen et al. 2000, theorem 1).
-fn most_needed(candidates: &[Candidate], count: usize) -> Vec<usize> {
-    let best = (0..candidates.len())
-        .max_by(|a, b| candidates[*a].mean().total_cmp(&candidates[*b].mean()))
-        .unwrap_or(0);
-    let mean = candidates[best].mean();
-    let variances: Vec<f64> = candidates.iter().map(variance).collect();
-    let mut shares: Vec<f64> = candidates
-        .iter()
-        .zip(&variances)
-        .map(|(candidate, variance)| {
-            let difference = (mean - candidate.mean()).max(LEAST_DIFFERENCE);
-            variance / (difference * difference)
-        })
-        .collect();
-    let others = (0..shares.len()).filter(|k| *k != best);
-    let sum: f64 = others.map(|k| shares[k] * shares[k] / variances[k]).sum();
-    shares[best] = sqrt(variances[best] * sum);
-    let need = |k: &usize| shares[*k] / candidates[*k].samples.len().max(1) as f64;
-    let mut order: Vec<usize> = (0..candidates.len()).collect();
-    order.sort_by(|a, b| need(b).total_cmp(&need(a)));
-    order.truncate(count);
-    order
-}
-
-/// The variance of a candidate's samples.
-fn variance(candidate: &Candidate) -> f64 {
-    let count = candidate.samples.len() as f64;
-    let sum: f64 = candidate.samples.iter().map(|sample| sample.value).sum();
-    let squares: f64 = candidate.samples.iter().map(|sample| sample.value * sample.value).sum();
-    ((squares - sum * sum / count.max(1.0)) / (count - 1.0).max(1.0)).max(LEAST_VARIANCE)
-}
-
-#[cfg(test)]
-mod tests {
-    use carom::resolve::cue_ball::Strike;
-    use carom_rules::Play;
-
-    use super::{Candidate, PlayedVariant, most_needed};
-    use crate::search::PlayKind;
-
-    /// A candidate with ten samples around `value`.
-    fn candidate(value: f64) -> Candidate {
-        let strike = Strike { speed: 1.0, azimuth: 0.0, elevation: 0.0, side: 0.0, height: 0.0 };
-        let sample = |index: u64| PlayedVariant {
-            index,
-            executed: strike,
-            value: value + if index.is_multiple_of(2) { 0.1 } else { -0.1 },
-            kept: true,
-            foul: false,
-            end: None,
-        };
-        Candidate {
-            play: Play::new(strike),
-            kind: PlayKind::Safety,
-            line: None,
-            legs: Vec::new(),
-            pot: None,
-            place: 0,
-            prior: value,
-            end: None,
-            samples: (0..10).map(sample).collect(),
-            fresh: Vec::new(),
-            correction: 0.0,
-        }
-    }
-
-    #[test]
-    fn further_samples_go_to_those_that_may_be_the_best() {
-        let candidates: Vec<Candidate> = [0.3, 0.69, 0.5, 0.7].into_iter().map(candidate).collect();
-        let mut chosen = most_needed(&candidates, 2);
-        chosen.sort_unstable();
-        assert_eq!(chosen, [1, 3]);
-        assert_eq!(most_needed(&candidates, 4)[3], 0);
-    }
-
-    #[test]
-    fn many_samples_reduce_what_a_candidate_needs() {
-        let mut candidates: Vec<Candidate> = [0.6, 0.69, 0.7].into_iter().map(candidate).collect();
-        let more = candidates[1].samples.clone();
-        for _ in 0..500 {
-            candidates[1].samples.extend(more.iter().copied());
-        }
-        assert!(!most_needed(&candidates, 2).contains(&1));
     }
 }

@@ -6,7 +6,7 @@
 //! keep the variance small, and the few searched ones remove the bias.
 
 use carom::Error;
-use carom_rules::{Frame, Request, Turn};
+use carom_rules::{Frame, Request};
 
 use super::candidate::Candidate;
 use super::explore::Explorer;
@@ -181,46 +181,22 @@ pub(crate) fn quick_value(
     let Some(player) = frame.player() else { return Ok((0.5, 0)) };
     let estimated = value.win_chance(&position, player);
     let Request::Shot(turn) = frame.request() else { return Ok((estimated, 0)) };
-    let found = quick_plays(situation, value, turn, simulations)?;
-    // A safety's value without errors is too good: errors spoil some of them.
-    let best = found.plays.iter().map(|candidate| candidate.prior).reduce(f64::max);
-    Ok((best.unwrap_or(estimated), found.simulations))
-}
-
-/// The plays that a short search has found.
-pub(crate) struct QuickPlays {
-    /// The place of a cue ball in hand, from which all are played.
-    pub(crate) place: Option<[f64; 2]>,
-    pub(crate) plays: Vec<Candidate>,
-    /// Number of simulations.
-    pub(crate) simulations: u64,
-}
-
-/// The plays that a search without errors of about `simulations` simulations finds for `turn`.
-///
-/// # Errors
-/// As [`Explorer::ruled`].
-pub(crate) fn quick_plays(
-    situation: &Situation<'_>,
-    value: &dyn Value,
-    turn: &Turn,
-    simulations: u64,
-) -> Result<QuickPlays, Error> {
     let mut explorer = Explorer::new(situation, value, turn, simulations);
     let place = match turn.hand {
         Some(region) => explorer.places(region).first().copied(),
         None => None,
     };
-    let nothing = QuickPlays { place, plays: Vec::new(), simulations: 0 };
     if turn.hand.is_some() && place.is_none() {
-        return Ok(nothing);
+        return Ok((estimated, 0));
     }
-    let Ok(prepared) = Prepared::new(situation.frame, place) else { return Ok(nothing) };
+    let Ok(prepared) = Prepared::new(frame, place) else { return Ok((estimated, 0)) };
     let mut lines = explorer.lines(&prepared, 0);
     lines.truncate(3);
     explorer.most = simulations * 2 / 3;
     explorer.pots(&prepared, &mut lines)?;
     explorer.most = simulations;
     explorer.safeties(&prepared, 0)?;
-    Ok(QuickPlays { place, plays: explorer.found, simulations: explorer.plays })
+    // A safety's value without errors is too good: errors spoil some of them.
+    let best = explorer.found.iter().map(|candidate| candidate.prior).reduce(f64::max);
+    Ok((best.unwrap_or(estimated), explorer.plays))
 }

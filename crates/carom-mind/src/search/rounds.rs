@@ -6,7 +6,6 @@ use carom_rules::{Frame, Play, Rules, Turn};
 
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
-use super::kernel_tree::KernelTree;
 use super::openings::opening_shots;
 use super::pots::KnownLine;
 use super::race::Race;
@@ -15,7 +14,7 @@ use super::shift::{deviations, means, uphill};
 use super::windows::direct_pots;
 use crate::breaks::BreakShot;
 use crate::player::{Budget, Situation, Spent};
-use crate::settings::{BreakChoice, SearchMethod, SearchSettings};
+use crate::settings::{BreakChoice, SearchSettings};
 use crate::value::Value;
 use carom_plan::Prepared;
 
@@ -89,7 +88,6 @@ impl<'b> SearchTask<'_, 'b> {
             seat: self.turn.player,
             runner: &self.budget.runner,
             common_errors: self.settings.common_errors,
-            allocation: self.settings.allocation,
         }
     }
 }
@@ -103,8 +101,6 @@ pub struct Rounds {
     /// The places from which the cue ball is played.
     places: Vec<Option<[f64; 2]>>,
     candidates: Vec<Candidate>,
-    /// The tree of [`SearchMethod::KrUct`].
-    tree: KernelTree,
     /// The lines of pots.
     lines: Vec<KnownLine>,
     /// Number of strikes that further rounds have tried on them.
@@ -146,7 +142,6 @@ impl Rounds {
             openings: Vec::new(),
             places,
             candidates,
-            tree: KernelTree::default(),
             lines,
             strikes: 0,
             spent,
@@ -201,8 +196,6 @@ impl Rounds {
         let race = task.race(prepared, self.foul_correction.unwrap_or_default());
         let before = self.spent.simulations;
         let is_last = before + self.size >= self.racing;
-        let in_tree = settings.method == SearchMethod::KrUct && !situation.frame.is_opening();
-        let mut known = 0;
         let mut explorer = Explorer::new(situation, value, turn, 0);
         explorer.lists = self.stated > 1;
         if is_first {
@@ -215,8 +208,7 @@ impl Rounds {
                 distinct_first(&mut self.candidates);
             }
             self.candidates.truncate(KEPT);
-            known = self.candidates.len();
-            if settings.shift && !in_tree {
+            if settings.shift {
                 shift(&mut self.candidates, &race, explorer.speeds);
             }
             explorer.measures_windows = true;
@@ -242,17 +234,11 @@ impl Rounds {
         }
         self.spent.simulations += explorer.plays;
         let left = self.size.saturating_sub(self.spent.simulations - before);
-        if in_tree {
-            let new = self.candidates.split_off(known);
-            self.spent.simulations += self.tree.search(&race, new, (left, settings.per_reply))?;
-            self.candidates = self.tree.ranked();
-        } else {
-            let replies = Replies::within((settings.replying * self.size as f64) as u64, settings);
-            let cost = replies.as_ref().map_or(0, Replies::cost);
-            self.spent.simulations += race.run(&mut self.candidates, left.saturating_sub(cost))?;
-            if let Some(replies) = replies {
-                self.spent.simulations += replies.search(&race, &mut self.candidates)?;
-            }
+        let replies = Replies::within((settings.replying * self.size as f64) as u64, settings);
+        let cost = replies.as_ref().map_or(0, Replies::cost);
+        self.spent.simulations += race.run(&mut self.candidates, left.saturating_sub(cost))?;
+        if let Some(replies) = replies {
+            self.spent.simulations += replies.search(&race, &mut self.candidates)?;
         }
         self.doubt_fouls(task, prepared)?;
         self.spent.rounds += 1;
