@@ -199,7 +199,7 @@ def parts(found: Experiments) -> list[list[str]]:
     return rows
 
 
-#: The searches that were measured against the default one. The player has only the last of them still.
+#: The searches that were measured against the default one. Only the last of them is left.
 SEARCHES = {
     "ocba": "race with optimal computing budget allocation",
     "kr-uct": "KR-UCT",

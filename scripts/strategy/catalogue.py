@@ -93,7 +93,7 @@ PARTS = {
 for part, setting in PARTS.items():
     EXPERIMENTS[f"part-{part}"] = Match(f"carom[{setting}]:10000", "carom:10000", pairs=120)
 
-# The search with replies against the default one, at about 0.1 s and 1 s of one core for a decision.
+# The search with replies against the default one, at about 0.1 s and 1 s of one core a decision.
 for simulations, pairs in ((5000, 120), (SECOND, 60)):
     EXPERIMENTS[f"search-replies-{simulations}"] = Match(
         f"carom[replying=0.3]:{simulations}",
