@@ -3,6 +3,9 @@ import prettier from "eslint-config-prettier";
 import { defineConfig, globalIgnores } from "eslint/config";
 import ts from "typescript-eslint";
 
+/** Relative imports that do not name a file; those of the WebAssembly and of scripts end in `.js`. */
+const IMPRECISE = "^\\.(?!.*\\.(ts|css|json)$|.*\\?|.*/(pkg|scripts)/.*\\.js$)";
+
 export default defineConfig(
   globalIgnores(["dist/", "src/engine/pkg/", "src/engine/dist/", "tests/e2e/out/"]),
   js.configs.recommended,
@@ -18,6 +21,13 @@ export default defineConfig(
       "@typescript-eslint/no-confusing-void-expression": ["error", { ignoreArrowShorthand: true }],
       // Loops bound the indices of typed arrays.
       "@typescript-eslint/no-non-null-assertion": "off",
+    },
+  },
+  {
+    files: ["**/*.ts"],
+    rules: {
+      // A relative import names a file of ours as it is on disk: `./file.ts`, not `./file` or `./file.js`.
+      "no-restricted-imports": ["error", { patterns: [{ regex: IMPRECISE }] }],
     },
   },
   {

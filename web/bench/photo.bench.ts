@@ -5,7 +5,7 @@
  */
 import { writeFileSync } from "node:fs";
 import { expect, test } from "vitest";
-import { load, type Point } from "../src/engine/index.js";
+import { load, type Point } from "../src/engine/index.ts";
 import {
   calibrate,
   TAP_ERROR,
@@ -14,14 +14,14 @@ import {
 } from "../src/photo/geometry/calibrate.ts";
 import { project } from "../src/photo/geometry/camera.ts";
 import { landmarks } from "../src/photo/geometry/landmarks.ts";
-import { layout, tableOf, type TableOfPhoto } from "../src/photo/geometry/layout.ts";
+import { layout, tableOf, type TableOfPhoto } from "../src/photo/geometry/photo-layout.ts";
 import { locate } from "../src/photo/geometry/locate.ts";
 import { contradicts } from "../src/photo/geometry/proportion.ts";
-import { outline } from "../src/photo/picture/outline.ts";
+import { outline } from "../src/photo/picture/ball-outline.ts";
 import type { Pixels } from "../src/photo/picture/pixels.ts";
 import { straightened } from "../src/photo/picture/rails.ts";
 import { refine } from "../src/photo/picture/refine.ts";
-import { relativeSize } from "../src/photo/picture/size.ts";
+import { relativeSize } from "../src/photo/picture/ball-size.ts";
 import { generator, type Random } from "../tests/photo/random.ts";
 import { renderRails } from "../tests/photo/rails.ts";
 import { lit, render } from "../tests/photo/render.ts";

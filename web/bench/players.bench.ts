@@ -8,7 +8,7 @@ import { execFileSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { cpus, loadavg, tmpdir } from "node:os";
 import { expect, test } from "vitest";
-import { type Decision, type FrameRecord, load, type Play } from "../src/engine/index.js";
+import { type Decision, type FrameRecord, load, type Play } from "../src/engine/index.ts";
 import { commitAndDate } from "./commit.ts";
 import { layouts } from "./layouts.ts";
 import { median, nativeProgram, nativeTime, round, ROOT, timeOf } from "./measure.ts";

@@ -7,7 +7,7 @@ import { cpus, tmpdir } from "node:os";
 import { gzipSync } from "node:zlib";
 import { chromium } from "playwright-core";
 import { expect, inject, test } from "vitest";
-import { type Engine, load } from "../src/engine/index.js";
+import { type Engine, load } from "../src/engine/index.ts";
 import { commitAndDate } from "./commit.ts";
 import { layouts } from "./layouts.ts";
 import { median, nativeProgram, nativeTime, round, ROOT, timeOf } from "./measure.ts";

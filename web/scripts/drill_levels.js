@@ -1,5 +1,5 @@
 /**
- * Computes what each level of play makes of each drill, into src/app/train/levels.json. Drills that did not
+ * Computes what each level of play makes of each drill, into src/app/train/drill-levels.json. Drills that did not
  * change since are skipped; after each drill the file is written.
  * usage: node scripts/drill_levels.js [DRILL …]
  */
@@ -11,7 +11,7 @@ import { fileURLToPath, URL } from "node:url";
 import { createServer } from "vite";
 
 const ROOT = fileURLToPath(new URL("..", import.meta.url));
-const OUT = `${ROOT}src/app/train/levels.json`;
+const OUT = `${ROOT}src/app/train/drill-levels.json`;
 const FORMAT = "carom-drill-levels/1";
 
 const vite = await createServer({

@@ -3,7 +3,7 @@
 import { createHash } from "node:crypto";
 import type { Engine } from "../../src/engine/index.ts";
 import { DRILLS, type Drill } from "../../src/app/train/drills/index.ts";
-import type { DrillLevels } from "../../src/app/train/levels.ts";
+import type { DrillLevels } from "../../src/app/train/drill-levels.ts";
 import { type Run, runChances } from "./runs.ts";
 import { bestOf, chancesOf, refined, strikesOf } from "./strikes.ts";
 

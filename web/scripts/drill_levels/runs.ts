@@ -3,9 +3,9 @@
 import { CaromError, type Engine, type Noise, type ShotFile } from "../../src/engine/index.ts";
 import type { PlannedPlay, Trace } from "../../src/engine/index.ts";
 import type { RunGoal } from "../../src/app/train/drills/index.ts";
-import { judge, restOf } from "../../src/app/train/judge.ts";
-import { layoutOf, type Setting } from "../../src/app/train/layout.ts";
-import { clothOf } from "../../src/app/train/places.ts";
+import { judge, restOf } from "../../src/app/train/drill-judge.ts";
+import { layoutOf, type Setting } from "../../src/app/train/drill-layout.ts";
+import { clothOf } from "../../src/app/train/drill-places.ts";
 
 /** Simulated shots of a decision. */
 const SIMULATIONS = 2000;

@@ -8,11 +8,11 @@ import {
   type Strike,
 } from "../../src/engine/index.ts";
 import type { Condition } from "../../src/app/train/drills/index.ts";
-import { judge, mostPoints } from "../../src/app/train/judge.ts";
-import type { Setting } from "../../src/app/train/layout.ts";
-import { layoutOf } from "../../src/app/train/layout.ts";
-import { clothOf } from "../../src/app/train/places.ts";
-import { randomOf } from "../../src/app/train/puzzle/random.ts";
+import { judge, mostPoints } from "../../src/app/train/drill-judge.ts";
+import type { Setting } from "../../src/app/train/drill-layout.ts";
+import { layoutOf } from "../../src/app/train/drill-layout.ts";
+import { clothOf } from "../../src/app/train/drill-places.ts";
+import { randomOf } from "../../src/app/train/puzzle/seeded-random.ts";
 
 /** Cue speeds that are tried, m/s, and heights and sides of the tip, in ball radii. */
 const SPEEDS = Array.from({ length: 23 }, (_, k) => 0.6 * 1.1 ** k);

@@ -15,7 +15,7 @@ import { FIRST_VIEW } from "./document/document.ts";
 import { Scene } from "./scene.ts";
 import { startOf } from "./start.ts";
 import { Store } from "./document/store.ts";
-import { shownTheme } from "./shell/theme.ts";
+import { shownTheme } from "./shell/theme-choice.ts";
 import { errorText } from "./common/refusals.ts";
 import { t } from "./words/translate.ts";
 

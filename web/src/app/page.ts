@@ -1,40 +1,40 @@
 /** Mounts every part of the page. */
 
-import { mountDiamonds } from "./aim/diamonds.ts";
-import { mountAimPanel } from "./aim/panel.ts";
-import { mountChip } from "./analyse/chip.ts";
-import { mountLines } from "./analyse/panel.ts";
-import { mountPots } from "./analyse/pot.ts";
+import { mountDiamonds } from "./aim/diamond-overlay.ts";
+import { mountAimPanel } from "./aim/aim-panel.ts";
+import { mountChip } from "./analyse/chance-chip.ts";
+import { mountLines } from "./analyse/analyse-panel.ts";
+import { mountPots } from "./analyse/aim-at-pocket.ts";
 import { mountTree } from "./analyse/tree-panel.ts";
 import type { Context } from "./common/context.ts";
 import { mountPresses } from "./common/press.ts";
 import { mountDock, mountTake } from "./aim/dock.ts";
-import { mountBar } from "./game/bar.ts";
-import { mountGame } from "./game/panel.ts";
+import { mountBar } from "./game/game-bar.ts";
+import { mountGame } from "./game/game-panel.ts";
 import { mountGestures } from "./input/gestures.ts";
 import { mountCamera, mountHistory, mountPageMenu } from "./shell/header.ts";
 import { mountEntrances } from "./shell/entrances.ts";
 import { mountOpening } from "./help/opening.ts";
 import { mountHelp } from "./help/help.ts";
 import { mountKeys } from "./input/keys.ts";
-import { mountLayoutPanel } from "./layout/panel.ts";
+import { mountLayoutPanel } from "./layout/layout-panel.ts";
 import { mountRefusal } from "./shell/notices.ts";
-import { mountPhysicsPanel } from "./physics/panel.ts";
-import { mountState } from "./replay/panel.ts";
-import { mountSound } from "./replay/sound.ts";
+import { mountPhysicsPanel } from "./physics/physics-panel.ts";
+import { mountState } from "./replay/replay-panel.ts";
+import { mountSound } from "./replay/replay-sound.ts";
 import { mountTimeline } from "./replay/timeline.ts";
 import { mountAddress } from "./share/address.ts";
 import { copy } from "./share/clipboard.ts";
 import { download } from "./share/download.ts";
 import { mountFriend } from "./share/friend.ts";
 import { mountReload } from "./share/reload.ts";
-import { mountShare } from "./share/menu.ts";
+import { mountShare } from "./share/share-menu.ts";
 import type { Store } from "./document/store.ts";
 import { mountTabs, whenShown } from "./shell/tabs.ts";
-import { mountTools } from "./shell/tools.ts";
-import { mountTheme } from "./shell/theme.ts";
-import { mountTrain } from "./train/panel.ts";
-import { mountWhatIf } from "./whatif/panel.ts";
+import { mountTools } from "./shell/header-tools.ts";
+import { mountTheme } from "./shell/theme-choice.ts";
+import { mountTrain } from "./train/train-panel.ts";
+import { mountWhatIf } from "./whatif/whatif-panel.ts";
 
 /** The mount point with this id in index.html. */
 export function place(id: string): HTMLElement {

@@ -1,19 +1,20 @@
 /** Updates the viewer from the state. No other module changes what the viewer shows, except films. */
 
-import { STRIDE, type Call, type Engine, type Strike, type Trace } from "../engine/index.ts";
+import type { Call, Engine, Strike, Trace } from "../engine/index.ts";
+import { STRIDE } from "../engine/types.ts";
 import type { Area, BallPath, CuePose, Density, Mark, Viewer } from "../viewer/index.ts";
-import { stopHandle } from "./analyse/stop.ts";
+import { stopHandle } from "./analyse/stop-handle.ts";
 import type { Context } from "./common/context.ts";
 import type { AimedShot, Attempt, Session } from "./document/document.ts";
-import { areasOf } from "./game/areas.ts";
-import type { Game, Guide } from "./document/game.ts";
-import { shownGuide } from "./document/guide.ts";
-import { firstMeeting, shortPaths } from "./game/guide/paths.ts";
+import { areasOf } from "./game/game-areas.ts";
+import type { Game, Guide } from "./document/stored-game.ts";
+import { shownGuide } from "./document/guide-extent.ts";
+import { firstMeeting, shortPaths } from "./game/guide/short-paths.ts";
 import { presentCall } from "./game/calling.ts";
-import { canAim, standing } from "./game/turn.ts";
-import { guidesOf, lineFrom } from "./pot/guides.ts";
-import { strokePull } from "./replay/clock.ts";
-import { timedPaths } from "./replay/path.ts";
+import { canAim, standing } from "./game/awaited-turn.ts";
+import { guidesOf, lineFrom } from "./pot/guide-lines.ts";
+import { strokePull } from "./replay/replay-clock.ts";
+import { timedPaths } from "./replay/trail-paths.ts";
 import type { State, Store } from "./document/store.ts";
 
 /** Greatest distance (m) of a drawn path from the exact one: below a pixel at usual zooms. */

@@ -1,6 +1,6 @@
 /** Checks of arguments: WebAssembly would convert a wrong type silently, or fail without a message. */
 
-import { CaromError } from "./error.js";
+import { CaromError } from "./error.ts";
 
 /** `JSON.stringify` with its complete type: it returns undefined for functions and symbols. */
 function stringify(value: unknown): string | undefined {

@@ -2,14 +2,14 @@
  * The engine without embedded WebAssembly: for a worker, which receives `Engine.module` from its page,
  * and for sites that serve the `.wasm` file themselves.
  */
-import { boolean, json, named, numbers, object, text, whole } from "./arguments.js";
-import type { BreakOptions, Engine, RollingBand, RollingOptions } from "./engine.js";
-import { CaromError } from "./error.js";
-import { FRAME_FORMAT, replay } from "./frame-record.js";
-import { Handle, checked, uncloneable } from "./handle.js";
-import { namedSigmas, sigmasOf } from "./noise.js";
+import { boolean, json, named, numbers, object, text, whole } from "./arguments.ts";
+import type { BreakOptions, Engine, RollingBand, RollingOptions } from "./engine.ts";
+import { CaromError } from "./error.ts";
+import { FRAME_FORMAT, replay } from "./frame-record.ts";
+import { Handle, checked, uncloneable } from "./handle.ts";
+import { namedSigmas, sigmasOf } from "./noise.ts";
 import * as wasm from "./pkg/carom_wasm.js";
-import type { Player, PlayerOptions } from "./player.js";
+import type { Player, PlayerOptions } from "./player.ts";
 import type {
   Choice,
   Frame,
@@ -23,8 +23,8 @@ import type {
   PlayErrors,
   Ruling,
   Successors,
-} from "./rules.js";
-import { readStrike } from "./strike.js";
+} from "./rules.ts";
+import { readStrike } from "./strike.ts";
 import {
   type BallInfo,
   type Batch,
@@ -46,15 +46,15 @@ import {
   type TraceEnd,
   type TraceFile,
   type VaryOptions,
-} from "./types.js";
-import { warnOnce } from "./warn.js";
-import { WasmPlayer } from "./wasm-player.js";
+} from "./types.ts";
+import { warnOnce } from "./warn.ts";
+import { WasmPlayer } from "./wasm-player.ts";
 
-export * from "./engine.js";
-export * from "./error.js";
-export * from "./player.js";
-export * from "./rules.js";
-export * from "./types.js";
+export * from "./engine.ts";
+export * from "./error.ts";
+export * from "./player.ts";
+export * from "./rules.ts";
+export * from "./types.ts";
 
 const DEFAULT_TERMS = { points: 40, miss: true, patience: 100 } as const;
 

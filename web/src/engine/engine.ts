@@ -1,9 +1,9 @@
 /** The interface of the engine that `load` returns. */
 
-import type { CaromError } from "./error.js";
-import type { Player, PlayerOptions } from "./player.js";
-import type { Frame, FrameOptions, FrameRecord, FrameTerms } from "./rules.js";
-import type { Batch, Geometry, Noise, Shot, ShotFile, Trace, TraceFile } from "./types.js";
+import type { CaromError } from "./error.ts";
+import type { Player, PlayerOptions } from "./player.ts";
+import type { Frame, FrameOptions, FrameRecord, FrameTerms } from "./rules.ts";
+import type { Batch, Geometry, Noise, Shot, ShotFile, Trace, TraceFile } from "./types.ts";
 
 /** Options of `Engine.breakShot`. */
 export interface BreakOptions {

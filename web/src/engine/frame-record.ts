@@ -1,9 +1,9 @@
 /** Records of frames, `carom-frame/1`: the start of a frame and all its moves. Python's `Frame.record` is the same. */
 
-import { object } from "./arguments.js";
-import type { Engine } from "./engine.js";
-import { CaromError } from "./error.js";
-import type { Call, Choice, Frame, FrameRecord, FrameSetup, Play } from "./rules.js";
+import { object } from "./arguments.ts";
+import type { Engine } from "./engine.ts";
+import { CaromError } from "./error.ts";
+import type { Call, Choice, Frame, FrameRecord, FrameSetup, Play } from "./rules.ts";
 
 export const FRAME_FORMAT = "carom-frame/1";
 

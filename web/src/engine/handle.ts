@@ -1,6 +1,6 @@
 /** Objects and errors of the WebAssembly module. */
 
-import { CaromError } from "./error.js";
+import { CaromError } from "./error.ts";
 
 /** Calls the engine and turns its refusal into a `CaromError`. */
 export function checked<T>(call: () => T): T {

@@ -1,12 +1,12 @@
-import { load as loadFrom } from "./core.js";
+import { load as loadFrom } from "./core.ts";
 import embedded from "./pkg/embedded.js";
-import type { Engine } from "./engine.js";
+import type { Engine } from "./engine.ts";
 
-export * from "./engine.js";
-export * from "./error.js";
-export * from "./player.js";
-export * from "./rules.js";
-export * from "./types.js";
+export * from "./engine.ts";
+export * from "./error.ts";
+export * from "./player.ts";
+export * from "./rules.ts";
+export * from "./types.ts";
 
 /**
  * Loads the engine from bytes, from a compiled module (`Engine.module` of another thread), or without an

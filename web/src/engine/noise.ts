@@ -1,9 +1,9 @@
 /** Execution noise as the engine's list of numbers, and back. */
 
-import { numbers, object } from "./arguments.js";
-import { CaromError } from "./error.js";
-import type { Noise } from "./types.js";
-import { warnOnce } from "./warn.js";
+import { numbers, object } from "./arguments.ts";
+import { CaromError } from "./error.ts";
+import type { Noise } from "./types.ts";
+import { warnOnce } from "./warn.ts";
 
 const NUMBERS = [
   "speed",

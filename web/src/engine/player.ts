@@ -1,7 +1,7 @@
 /** Players: programs that answer the requests of a frame. The data is that of Python's `Player`, key by key. */
 
-import type { Choice, Frame, PlannedPlay } from "./rules.js";
-import type { Noise, PocketName, Point } from "./types.js";
+import type { Choice, Frame, PlannedPlay } from "./rules.ts";
+import type { Noise, PocketName, Point } from "./types.ts";
 
 /** Errors of the positions that a player sees. */
 export interface Perception {

@@ -14,7 +14,7 @@ import type {
   StrikeInput,
   Trace,
   VaryOptions,
-} from "./types.js";
+} from "./types.ts";
 
 /** A player of a frame, by number. */
 export type Seat = 0 | 1;

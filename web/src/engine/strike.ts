@@ -1,8 +1,8 @@
 /** Strikes as callers write them: with angles in radians or in degrees, as in shot files. */
-import { numbers, object, text } from "./arguments.js";
-import { CaromError } from "./error.js";
-import type { StrikeEntry, StrikeInput } from "./types.js";
-import { warnOnce } from "./warn.js";
+import { numbers, object, text } from "./arguments.ts";
+import { CaromError } from "./error.ts";
+import type { StrikeEntry, StrikeInput } from "./types.ts";
+import { warnOnce } from "./warn.ts";
 
 /** The keys of a strike. `ball` is not used: the shot or the frame determines the struck ball. */
 const KEYS = [

@@ -1,10 +1,10 @@
 /** The page's side of a thinker. It starts no worker of its own, so a page can give one that it contains. */
 
-import type { Engine } from "./engine.js";
-import { CaromError } from "./error.js";
-import type { Analysis, Decision, ExplainOptions, PlayerOptions, Progress } from "./player.js";
-import type { Frame, FrameRecord } from "./rules.js";
-import type { Failure, FromThinker, ToThinker } from "./thinker-protocol.js";
+import type { Engine } from "./engine.ts";
+import { CaromError } from "./error.ts";
+import type { Analysis, Decision, ExplainOptions, PlayerOptions, Progress } from "./player.ts";
+import type { Frame, FrameRecord } from "./rules.ts";
+import type { Failure, FromThinker, ToThinker } from "./thinker-protocol.ts";
 
 /** The part of a worker that a thinker uses. */
 export type ThinkerWorker = Pick<Worker, "postMessage" | "onmessage" | "onerror" | "terminate">;

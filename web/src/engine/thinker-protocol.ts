@@ -1,7 +1,7 @@
 /** The messages between a thinker and its worker. */
 
-import type { Analysis, Decision, PlayerOptions, Progress } from "./player.js";
-import type { FrameRecord } from "./rules.js";
+import type { Analysis, Decision, PlayerOptions, Progress } from "./player.ts";
+import type { FrameRecord } from "./rules.ts";
 
 /** A question: the decision in a frame, or with `count` its best plays. */
 export interface ThinkRequest {

@@ -1,17 +1,17 @@
 /** The worker's side of a thinker: one question after the other, round by round. */
 
-import { load } from "./core.js"; // without embedded WebAssembly: the page sends it
-import type { Engine } from "./engine.js";
-import { CaromError } from "./error.js";
-import { nextTask } from "./next-task.js";
-import type { Analysis, Decision, Thought } from "./player.js";
+import { load } from "./core.ts"; // without embedded WebAssembly: the page sends it
+import type { Engine } from "./engine.ts";
+import { CaromError } from "./error.ts";
+import { nextTask } from "./next-task.ts";
+import type { Analysis, Decision, Thought } from "./player.ts";
 import type {
   Failure,
   FromThinker,
   ThinkerPort,
   ThinkRequest,
   ToThinker,
-} from "./thinker-protocol.js";
+} from "./thinker-protocol.ts";
 
 /** Answers the questions that come through `port`. */
 export function serve(port: ThinkerPort<FromThinker, ToThinker>): void {

@@ -1,7 +1,7 @@
 /** The worker of a thinker, in browsers and in Node. */
 
-import type { FromThinker, ThinkerPort, ToThinker } from "./thinker-protocol.js";
-import { serve } from "./thinker-server.js";
+import type { FromThinker, ThinkerPort, ToThinker } from "./thinker-protocol.ts";
+import { serve } from "./thinker-server.ts";
 
 type Port = ThinkerPort<FromThinker, ToThinker>;
 

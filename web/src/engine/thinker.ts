@@ -1,10 +1,10 @@
 /** A player that thinks in a worker, so that the calling thread stays free. */
 
-import type { Engine } from "./engine.js";
-import type { PlayerOptions } from "./player.js";
-import { connectThinker, type Thinker, type ThinkerWorker } from "./thinker-client.js";
+import type { Engine } from "./engine.ts";
+import type { PlayerOptions } from "./player.ts";
+import { connectThinker, type Thinker, type ThinkerWorker } from "./thinker-client.ts";
 
-export type { Thinker, ThinkerWorker, ThinkOptions } from "./thinker-client.js";
+export type { Thinker, ThinkerWorker, ThinkOptions } from "./thinker-client.ts";
 
 export interface ThinkerOptions extends PlayerOptions {
   /**

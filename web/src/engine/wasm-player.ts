@@ -1,9 +1,9 @@
 /** `Player` over the WebAssembly module. */
 
-import { numbers, object, text, whole } from "./arguments.js";
-import { CaromError } from "./error.js";
-import { Handle, checked } from "./handle.js";
-import { namedSigmas, sigmasOf } from "./noise.js";
+import { numbers, object, text, whole } from "./arguments.ts";
+import { CaromError } from "./error.ts";
+import { Handle, checked } from "./handle.ts";
+import { namedSigmas, sigmasOf } from "./noise.ts";
 import * as wasm from "./pkg/carom_wasm.js";
 import type {
   Analysis,
@@ -13,9 +13,9 @@ import type {
   PlayerOptions,
   Progress,
   Thought,
-} from "./player.js";
-import type { Frame } from "./rules.js";
-import type { Noise } from "./types.js";
+} from "./player.ts";
+import type { Frame } from "./rules.ts";
+import type { Noise } from "./types.ts";
 
 /** Simulated shots of a decision if no budget is given, as in Python. */
 const USUAL_SIMULATIONS = 20_000;

@@ -1,13 +1,13 @@
 /** A layout from a photo of a real table. The photo never leaves the page. */
 
 import "./photo.css";
-import { PhotoDialog, type PhotoOptions } from "./dialog/dialog.ts";
+import { PhotoDialog, type PhotoOptions } from "./dialog/photo-dialog.ts";
 import { button, element } from "./dialog/element.ts";
 import { type PhotoLanguage, setLanguage, TEXTS } from "./texts.ts";
 
-export type { PhotoOptions } from "./dialog/dialog.ts";
+export type { PhotoOptions } from "./dialog/photo-dialog.ts";
 export type { PhotoLanguage } from "./texts.ts";
-export { trayOf } from "./draft.ts";
+export { trayOf } from "./photo-draft.ts";
 export { type Bed, bed } from "./geometry/settle.ts";
 
 /** Adds the button that opens the dialog. */

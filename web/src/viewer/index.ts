@@ -1,8 +1,7 @@
 /** The viewer: draws a table, its balls and a shot in three dimensions. */
 
-export { look, type Look } from "./balls/look";
-export { type Density, RAMP } from "./overlay/density";
-export { STRIDE } from "./types";
+export { look, type Look } from "./balls/look.ts";
+export { type Density, RAMP } from "./overlay/density.ts";
 export type {
   Area,
   BallPath,
@@ -14,5 +13,5 @@ export type {
   PickResult,
   Quality,
   Theme,
-} from "./types";
-export { Viewer, type ViewerOptions } from "./viewer";
+} from "./viewer-types.ts";
+export { Viewer, type ViewerOptions } from "./viewer.ts";

@@ -1,8 +1,8 @@
 /** Ambient light, and a lamp whose slanted shadows show the height of a ball. */
 
 import { Color, DirectionalLight, Group, HemisphereLight, Vector3 } from "three";
-import type { Box } from "./camera/pose";
-import type { Palette } from "./theme";
+import type { Box } from "./camera/pose.ts";
+import type { Palette } from "./theme-colors.ts";
 
 /** Direction of the lamp's light. */
 const DIRECTION = new Vector3(-0.3, 0.42, -1);

@@ -1,7 +1,7 @@
 /** What is under a pointer: pocket or rail of a table. */
 
-import { beyond } from "./table/outline";
-import type { Geometry, Point } from "./types";
+import { beyond } from "./table/table-outline.ts";
+import type { Geometry, Point } from "./viewer-types.ts";
 
 /** Reach of a pocket beyond its edge, CSS pixels: fingers are wide. */
 const POCKET_REACH = 24;

@@ -1,24 +1,25 @@
 /** The scene of a shot: table, balls, cue, paths and marks. */
 
 import { Raycaster, Scene, Vector2, Vector3 } from "three";
-import { Balls } from "./balls";
-import type { Box } from "./camera/pose";
-import { Rig } from "./camera/rig";
-import { Areas } from "./overlay/areas";
-import { Cue } from "./overlay/cue";
-import { Highlight } from "./overlay/highlight";
-import type { Density } from "./overlay/density";
-import { Fan } from "./overlay/fan";
-import { Lines } from "./overlay/lines";
-import { Marks } from "./overlay/marks";
-import { Paths } from "./overlay/paths";
-import { pocketAt, railAt } from "./pointing";
-import { Lighting } from "./lighting";
-import { Governor, isSoftware, type Level, LEVELS, LOW, STILL } from "./quality";
-import { type Loupe, loupePlace, Stage } from "./render/stage";
-import { Table } from "./table";
-import { reach } from "./table/outline";
-import { clothColor, palette } from "./theme";
+import { STRIDE } from "../engine/types.ts";
+import { Balls } from "./balls/drawn-balls.ts";
+import type { Box } from "./camera/pose.ts";
+import { Rig } from "./camera/rig.ts";
+import { Areas } from "./overlay/marked-areas.ts";
+import { Cue } from "./overlay/cue.ts";
+import { Highlight } from "./overlay/highlight.ts";
+import type { Density } from "./overlay/density.ts";
+import { Fan } from "./overlay/fan.ts";
+import { Lines } from "./overlay/pixel-lines.ts";
+import { Marks } from "./overlay/ring-marks.ts";
+import { Paths } from "./overlay/ball-paths.ts";
+import { pocketAt, railAt } from "./pointing.ts";
+import { Lighting } from "./lighting.ts";
+import { Governor, isSoftware, type Level, LEVELS, LOW, STILL } from "./quality.ts";
+import { type Loupe, loupePlace, Stage } from "./render/stage.ts";
+import { Table } from "./table/drawn-table.ts";
+import { reach } from "./table/table-outline.ts";
+import { clothColor, palette } from "./theme-colors.ts";
 import {
   type Area,
   type BallInfo,
@@ -32,9 +33,8 @@ import {
   type PickResult,
   type Point,
   type Quality,
-  STRIDE,
   type Theme,
-} from "./types";
+} from "./viewer-types.ts";
 
 /** Radius around a ball in which it can be picked, pixels; larger for fingers. */
 const REACH = { touch: 24, mouse: 8 };

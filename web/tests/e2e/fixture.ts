@@ -15,7 +15,7 @@ import {
 } from "playwright-core";
 import { expect, inject, test as base } from "vitest";
 import type { ShotFile, TraceFile } from "../../src/engine/index.ts";
-import type { Quality } from "../../src/viewer/types.ts";
+import type { Quality } from "../../src/viewer/viewer-types.ts";
 
 export { expect } from "vitest";
 

@@ -1,4 +1,4 @@
-import { GOLDENS, shotFile } from "../unit/engine/files.js";
+import { GOLDENS, shotFile } from "../unit/engine/files.ts";
 import { expect, test } from "./fixture.ts";
 
 test("in the browser every golden shot has the native engine's events, to the bit", async ({

@@ -3,7 +3,7 @@
 import type { Trace } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import type { Store } from "../document/store.ts";
-import { replay } from "../replay/control.ts";
+import { replay } from "../replay/replay-control.ts";
 import { takeItFromHere } from "./shoot.ts";
 
 /** Time (ms) between the end of the replay and aiming. */

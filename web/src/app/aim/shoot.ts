@@ -3,14 +3,14 @@
 import { CaromError, type Noise, type Shot, type Trace } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { errorText } from "../common/refusals.ts";
-import { ballName } from "../common/words.ts";
+import { ballName } from "../common/shot-words.ts";
 import type { Document } from "../document/document.ts";
 import type { Store } from "../document/store.ts";
 import { automatic, changed } from "../document/strike-angles.ts";
-import { playShot } from "../game/play.ts";
-import { ballsAfter, treeEngine } from "../document/after.ts";
-import { MOST_NODES, NO_TREE, withShot } from "../document/tree.ts";
-import { replay } from "../replay/control.ts";
+import { playShot } from "../game/game-actions.ts";
+import { ballsAfter, treeEngine } from "../document/balls-after.ts";
+import { MOST_NODES, NO_TREE, withShot } from "../document/shot-tree.ts";
+import { replay } from "../replay/replay-control.ts";
 import { sentence, t } from "../words/translate.ts";
 
 /** Plays the aimed shot: in a game as a move, on a free table as a replay of the ghost. */

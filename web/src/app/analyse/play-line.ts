@@ -6,7 +6,7 @@ import { round4 } from "../common/angles.ts";
 import type { AimedShot } from "../document/document.ts";
 import { lockOf } from "../document/pot-lock.ts";
 import type { Store } from "../document/store.ts";
-import { lineText } from "./words.ts";
+import { lineText } from "./analyse-words.ts";
 import { inSentence, t } from "../words/translate.ts";
 
 /** The aimed shot with the strike of a play, and with its cue ball if that is in hand. */

@@ -6,8 +6,8 @@ import { h, setText, svg, uniqueId } from "../common/dom.ts";
 import { changeUnpressed } from "../common/press.ts";
 import { errorText } from "../common/refusals.ts";
 import { inSlicesUnlessReplaced } from "../common/slices.ts";
-import { ballName, pocketName } from "../common/words.ts";
-import { outcomeOf, treeEngine } from "../document/after.ts";
+import { ballName, pocketName } from "../common/shot-words.ts";
+import { outcomeOf, treeEngine } from "../document/balls-after.ts";
 import type { AimedShot } from "../document/document.ts";
 import type { Store } from "../document/store.ts";
 import {
@@ -20,14 +20,14 @@ import {
   type TreeNode,
   withComment,
   without,
-} from "../document/tree.ts";
+} from "../document/shot-tree.ts";
 import { treeReading, treeToText } from "../document/tree-text.ts";
 import { isPlayed } from "../game/variations.ts";
-import { replay } from "../replay/control.ts";
-import { Desk } from "./desk/client.ts";
-import DeskWorker from "./desk/worker.ts?worker&inline";
-import { noiseOf } from "./position.ts";
-import { percent } from "./words.ts";
+import { replay } from "../replay/replay-control.ts";
+import { Desk } from "./desk/desk-client.ts";
+import DeskWorker from "./desk/desk-worker.ts?worker&inline";
+import { noiseOf } from "./analysed-position.ts";
+import { percent } from "./analyse-words.ts";
 import { capital, list as inWords, t } from "../words/translate.ts";
 
 /** Variants of a chance on the curve. */

@@ -6,7 +6,7 @@
 
 import { capital, named, t } from "../words/translate.ts";
 import { nameOf } from "./parameter-names.ts";
-import { ballName } from "./words.ts";
+import { ballName } from "./shot-words.ts";
 
 /** The balls of a refused file; an id may be of any type. */
 export type Balls = readonly { readonly id?: unknown }[];

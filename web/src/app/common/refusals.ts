@@ -10,7 +10,7 @@ import { CaromError, type PocketName, type RailName } from "../../engine/index.t
 import { decimal, named, type PlainKey, sentence, t } from "../words/translate.ts";
 import { ballAt, type Balls, faultText, withDetail } from "./file-faults.ts";
 import { nameOf } from "./parameter-names.ts";
-import { ballName, lengthText, obstructionBy, pocketName, railName } from "./words.ts";
+import { ballName, lengthText, obstructionBy, pocketName, railName } from "./shot-words.ts";
 
 /** A refusal by the page. Its message is already a sentence for players. */
 export class PageError extends CaromError {}

@@ -5,8 +5,8 @@ import type { Area, Density } from "../../viewer/index.ts";
 import type { Turn } from "../common/seen.ts";
 import type { SpeedUnit } from "../common/units.ts";
 import type { AimedShot } from "./aimed-shot.ts";
-import type { Game } from "./game.ts";
-import type { Tree } from "./tree.ts";
+import type { Game } from "./stored-game.ts";
+import type { Tree } from "./shot-tree.ts";
 
 export type { AimedShot };
 

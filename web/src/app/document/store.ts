@@ -23,7 +23,7 @@ import {
   type Session,
   type View,
 } from "./document.ts";
-import type { Game } from "./game.ts";
+import type { Game } from "./stored-game.ts";
 import { errorText } from "../common/refusals.ts";
 import { azimuthOfAim, lockOf, steered } from "./pot-lock.ts";
 import { History } from "./history.ts";

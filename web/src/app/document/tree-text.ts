@@ -17,7 +17,7 @@ import type { Slices } from "../common/slices.ts";
 import { t } from "../words/translate.ts";
 import type { AimedShot } from "./aimed-shot.ts";
 import { STRIKE_NUMBERS } from "./strike-angles.ts";
-import { childrenOf, LONGEST_COMMENT, MOST_NODES, type Tree, type TreeNode } from "./tree.ts";
+import { childrenOf, LONGEST_COMMENT, MOST_NODES, type Tree, type TreeNode } from "./shot-tree.ts";
 
 const FORMAT = "tree/1";
 

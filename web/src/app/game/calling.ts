@@ -1,10 +1,10 @@
 /** The call for the aimed shot: the player's, or the one that fits the aim. */
 
 import type { Call, Engine, PocketName, ShotRequest, Trace } from "../../engine/index.ts";
-import { guideOf } from "../document/game.ts";
+import { guideOf } from "../document/stored-game.ts";
 import type { Store } from "../document/store.ts";
 import { drawn } from "../pot/magnet.ts";
-import { askedShot } from "./turn.ts";
+import { askedShot } from "./awaited-turn.ts";
 import { t } from "../words/translate.ts";
 
 /**

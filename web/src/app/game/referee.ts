@@ -10,9 +10,9 @@ import {
 } from "../../engine/index.ts";
 import type { AimedShot } from "../document/document.ts";
 import { PageError } from "../common/refusals.ts";
-import { ballName } from "../common/words.ts";
-import type { Game } from "../document/game.ts";
-import { anyShot, type Progress, progressOf } from "./progress.ts";
+import { ballName } from "../common/shot-words.ts";
+import type { Game } from "../document/stored-game.ts";
+import { anyShot, type Progress, progressOf } from "./game-progress.ts";
 import { sentence, t } from "../words/translate.ts";
 
 /** The engine with the game's checks, for the store. */

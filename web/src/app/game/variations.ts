@@ -6,14 +6,14 @@
 import { CaromError, type Engine } from "../../engine/index.ts";
 import { errorText, PageError } from "../common/refusals.ts";
 import { inSlicesUnlessReplaced, type Slices } from "../common/slices.ts";
-import { treeEngine } from "../document/after.ts";
+import { treeEngine } from "../document/balls-after.ts";
 import type { AimedShot, Document, Study } from "../document/document.ts";
-import { aimed } from "../document/file.ts";
-import type { Game, Variations } from "../document/game.ts";
+import { aimed } from "../document/shot-file.ts";
+import type { Game, Variations } from "../document/stored-game.ts";
 import type { Store } from "../document/store.ts";
-import { childrenOf, NO_TREE, type Tree, type TreeNode, withShot } from "../document/tree.ts";
+import { childrenOf, NO_TREE, type Tree, type TreeNode, withShot } from "../document/shot-tree.ts";
 import { datedTree, treeReading, treeToText } from "../document/tree-text.ts";
-import { progressOf } from "./progress.ts";
+import { progressOf } from "./game-progress.ts";
 import { t } from "../words/translate.ts";
 
 /**

@@ -1,6 +1,7 @@
 /** The first shots of somebody who has never seen the page. */
 
-import { type PocketName, type Point, STRIDE, type Trace } from "../../engine/index.ts";
+import type { PocketName, Point, Trace } from "../../engine/index.ts";
+import { STRIDE } from "../../engine/types.ts";
 import type { AimedShot } from "../document/document.ts";
 import type { PlainKey } from "../words/translate.ts";
 

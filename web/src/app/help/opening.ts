@@ -11,7 +11,7 @@ import { h } from "../common/dom.ts";
 import { hasFlag, setFlag } from "../common/flag.ts";
 import type { Attempt } from "../document/document.ts";
 import type { Store } from "../document/store.ts";
-import { leave } from "../replay/control.ts";
+import { leave } from "../replay/replay-control.ts";
 import { paragraph, t } from "../words/translate.ts";
 import { isDone, type Lesson, LESSONS } from "./lessons.ts";
 

@@ -7,22 +7,22 @@
  */
 
 import type { PocketName, Point } from "../../engine/index.ts";
-import { dragStop, dropStop, stopOf } from "../analyse/stop.ts";
-import { aimAtPocket } from "../analyse/pot.ts";
-import { hidePreview } from "../analyse/preview.ts";
-import { removeBall } from "../document/layout.ts";
-import { aimAt, FINE } from "../document/strike.ts";
+import { dragStop, dropStop, stopOf } from "../analyse/stop-handle.ts";
+import { aimAtPocket } from "../analyse/aim-at-pocket.ts";
+import { hidePreview } from "../analyse/result-preview.ts";
+import { removeBall } from "../document/layout-changes.ts";
+import { aimAt, FINE } from "../document/strike-changes.ts";
 import { type Target, targetOf } from "../document/target.ts";
 import { azimuthOf } from "../document/strike-angles.ts";
 import { azimuthTo, sweep } from "../common/angles.ts";
 import type { Context } from "../common/context.ts";
 import { announceCall, tapBall, tapPocket } from "../game/calling.ts";
-import { canAim } from "../game/turn.ts";
-import { ballName } from "../common/words.ts";
-import { isObjectBall, turnTo } from "../pot/aim.ts";
-import { dragBall, isBeside } from "../layout/drag.ts";
+import { canAim } from "../game/awaited-turn.ts";
+import { ballName } from "../common/shot-words.ts";
+import { isObjectBall, turnTo } from "../pot/turn-to-pot.ts";
+import { dragBall, isBeside } from "../layout/ball-drag.ts";
 import type { Store } from "../document/store.ts";
-import { Loupe } from "./loupe.ts";
+import { Loupe } from "./finger-loupe.ts";
 import { Stroke } from "./stroke.ts";
 import { t } from "../words/translate.ts";
 

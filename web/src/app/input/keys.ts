@@ -3,11 +3,11 @@
 import { shoot, takeItFromHere } from "../aim/shoot.ts";
 import type { Context } from "../common/context.ts";
 import type { Camera } from "../document/document.ts";
-import { aimAt, FINE, turn } from "../document/strike.ts";
-import { aimAtNextPocket } from "../analyse/pot.ts";
+import { aimAt, FINE, turn } from "../document/strike-changes.ts";
+import { aimAtNextPocket } from "../analyse/aim-at-pocket.ts";
 import { redo, undo } from "../document/undo.ts";
-import { leave, stepBackwards, stepForwards, togglePlaying } from "../replay/control.ts";
-import { switchSound } from "../replay/sound.ts";
+import { leave, stepBackwards, stepForwards, togglePlaying } from "../replay/replay-control.ts";
+import { switchSound } from "../replay/replay-sound.ts";
 import type { Store } from "../document/store.ts";
 import { round } from "../common/units.ts";
 import { type PlainKey, t } from "../words/translate.ts";

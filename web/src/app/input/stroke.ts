@@ -1,10 +1,10 @@
 /** The stroke: a press on the cue, a pull that sets its speed, and a release that shoots. */
 
-import { speedOfShare } from "../aim/power.ts";
+import { speedOfShare } from "../aim/power-bar.ts";
 import { shoot } from "../aim/shoot.ts";
 import type { Context } from "../common/context.ts";
 import type { Store } from "../document/store.ts";
-import { canAim } from "../game/turn.ts";
+import { canAim } from "../game/awaited-turn.ts";
 import { t } from "../words/translate.ts";
 
 /** Pixels on either side of the cue within which a press takes it; a finger needs more than a mouse. */

@@ -9,7 +9,7 @@ import {
 } from "../../engine/index.ts";
 import type { AimedShot } from "../document/document.ts";
 import { azimuthOfAim, turnedTo } from "../document/pot-lock.ts";
-import { firstContactEvent } from "./contact.ts";
+import { firstContactEvent } from "./first-contact.ts";
 
 /** Degrees by which the first ball's path may pass a pocket to be drawn to it. */
 const CAPTURE = 30;

@@ -6,7 +6,7 @@ import type { Context } from "../common/context.ts";
 import type { Session } from "../document/document.ts";
 import { h, icon, setText, shortened, svg } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
-import { advance, LONGEST_FRAME, Pace, RATES } from "./clock.ts";
+import { advance, LONGEST_FRAME, Pace, RATES } from "./replay-clock.ts";
 import {
   leave,
   momentsOf,
@@ -15,10 +15,10 @@ import {
   stepBackwards,
   stepForwards,
   togglePlaying,
-} from "./control.ts";
-import { LANES, LOOKS } from "./kinds.ts";
-import { latest } from "./moments.ts";
-import { eventInWords, seconds } from "./words.ts";
+} from "./replay-control.ts";
+import { LANES, LOOKS } from "./event-looks.ts";
+import { latest } from "./event-moments.ts";
+import { eventInWords, seconds } from "./replay-words.ts";
 import { t } from "../words/translate.ts";
 
 const ICONS = {

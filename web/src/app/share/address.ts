@@ -5,19 +5,19 @@ import type { Context } from "../common/context.ts";
 import { detailedText, PageError } from "../common/refusals.ts";
 import { inSlicesUnlessReplaced, type Slices } from "../common/slices.ts";
 import type { Document, View } from "../document/document.ts";
-import { aimed, ballsOf } from "../document/file.ts";
-import { treeEngine } from "../document/after.ts";
-import type { Tree } from "../document/tree.ts";
+import { aimed, ballsOf } from "../document/shot-file.ts";
+import { treeEngine } from "../document/balls-after.ts";
+import type { Tree } from "../document/shot-tree.ts";
 import { datedTree, treeReading } from "../document/tree-text.ts";
-import type { Game, Setup } from "../document/game.ts";
+import type { Game, Setup } from "../document/stored-game.ts";
 import type { State, Store } from "../document/store.ts";
-import { isLevel } from "../game/machine/levels.ts";
-import { replayed } from "../game/progress.ts";
-import { standing } from "../game/turn.ts";
+import { isLevel } from "../game/machine/machine-levels.ts";
+import { replayed } from "../game/game-progress.ts";
+import { standing } from "../game/awaited-turn.ts";
 import { referee } from "../game/referee.ts";
-import { replay } from "../replay/control.ts";
+import { replay } from "../replay/replay-control.ts";
 import { LinkError } from "./link.ts";
-import { type LinkState, stateFromFragment, stateToFragment } from "./state.ts";
+import { type LinkState, stateFromFragment, stateToFragment } from "./link-state.ts";
 import { t } from "../words/translate.ts";
 
 /**

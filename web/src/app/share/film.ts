@@ -3,7 +3,7 @@
 import { STRIDE, type Trace } from "../../engine/types.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
-import { RATES } from "../replay/clock.ts";
+import { RATES } from "../replay/replay-clock.ts";
 import type { Store } from "../document/store.ts";
 import { errorText } from "../common/refusals.ts";
 import { download } from "./download.ts";

@@ -3,8 +3,8 @@
 import type { Context } from "../common/context.ts";
 import { h, setText } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
-import { standing, waitsForFriend } from "../game/turn.ts";
-import { other } from "../game/words.ts";
+import { standing, waitsForFriend } from "../game/awaited-turn.ts";
+import { other } from "../game/game-words.ts";
 import { isLocal, link, linkText, ownHost } from "./address.ts";
 import { copy } from "./clipboard.ts";
 import { t } from "../words/translate.ts";

@@ -9,7 +9,7 @@ import type { Store } from "../document/store.ts";
 import type { Slices } from "../common/slices.ts";
 import { type LinkContents, readLink } from "./address.ts";
 import { LinkError } from "./link.ts";
-import { stateFromFragment, stateToFragment } from "./state.ts";
+import { stateFromFragment, stateToFragment } from "./link-state.ts";
 
 /** Names in the storage of the tab: the link, and that the page was silent. */
 const KEPT = "carom-reload";

@@ -7,18 +7,18 @@ import type { Trace } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import type { AimedShot, Attempt, Document } from "../document/document.ts";
 import type { State, Store } from "../document/store.ts";
-import { leave } from "../replay/control.ts";
+import { leave } from "../replay/replay-control.ts";
 import { paragraph, t } from "../words/translate.ts";
-import { markedAreas } from "./areas.ts";
+import { markedAreas } from "./drill-areas.ts";
 import { type Drill, drillOf } from "./drills/index.ts";
-import { judge, restOf, type Verdict } from "./judge.ts";
-import { type Deviation, deviation, layoutOf, type Setting } from "./layout.ts";
-import { clothOf } from "./places.ts";
-import type { Keeper } from "./progress/keeper.ts";
-import type { Result } from "./progress/progress.ts";
-import type { Puzzle } from "./puzzle/generate.ts";
-import { counted, stepAfter, total } from "./score.ts";
-import { goalText, puzzleText, scoreText, verdictText } from "./words.ts";
+import { judge, restOf, type Verdict } from "./drill-judge.ts";
+import { type Deviation, deviation, layoutOf, type Setting } from "./drill-layout.ts";
+import { clothOf } from "./drill-places.ts";
+import type { Keeper } from "./progress/progress-keeper.ts";
+import type { Result } from "./progress/practice-progress.ts";
+import type { Puzzle } from "./puzzle/daily-puzzle.ts";
+import { counted, stepAfter, total } from "./drill-score.ts";
+import { goalText, puzzleText, scoreText, verdictText } from "./train-words.ts";
 
 /** Time (ms) between the end of a replay and the next attempt: enough to see where the balls stopped. */
 const PAUSE = 1600;

@@ -3,14 +3,14 @@
 import { h } from "../common/dom.ts";
 import { download } from "../share/download.ts";
 import { t } from "../words/translate.ts";
-import { button, type Trainer } from "./parts.ts";
+import { button, type Trainer } from "./train-parts.ts";
 import {
   DamagedProgress,
   dayOf,
   type Progress,
   progressOfText,
   progressToText,
-} from "./progress/progress.ts";
+} from "./progress/practice-progress.ts";
 
 export function mountProgress(root: HTMLElement, trainer: Trainer): void {
   const { keeper } = trainer;

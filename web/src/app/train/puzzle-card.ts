@@ -2,12 +2,12 @@
 
 import { h } from "../common/dom.ts";
 import { t } from "../words/translate.ts";
-import { diagram } from "./diagram.ts";
-import { button, type Trainer } from "./parts.ts";
-import { dayOf, streakOf } from "./progress/progress.ts";
-import { makePuzzle } from "./puzzle/client.ts";
-import type { Puzzle } from "./puzzle/generate.ts";
-import { puzzleText } from "./words.ts";
+import { diagram } from "./drill-diagram.ts";
+import { button, type Trainer } from "./train-parts.ts";
+import { dayOf, streakOf } from "./progress/practice-progress.ts";
+import { makePuzzle } from "./puzzle/puzzle-client.ts";
+import type { Puzzle } from "./puzzle/daily-puzzle.ts";
+import { puzzleText } from "./train-words.ts";
 
 /** Size of the balls over their size on the table. */
 const ENLARGED = 1.6;

@@ -3,9 +3,9 @@
 import { h } from "../common/dom.ts";
 import { t } from "../words/translate.ts";
 import { DRILLS } from "./drills/index.ts";
-import { button, heading, type Trainer } from "./parts.ts";
+import { button, heading, type Trainer } from "./train-parts.ts";
 import { MOST_ON_SHEET, type Paper, printSheet, sheetOf } from "./sheet.ts";
-import { drillName } from "./words.ts";
+import { drillName } from "./train-words.ts";
 
 /** Kept while the page is open. */
 const chosen = new Set<string>(["stop", "follow", "draw", "cuts"]);

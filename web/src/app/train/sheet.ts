@@ -4,10 +4,10 @@ import "./sheet.css";
 import type { Engine } from "../../engine/index.ts";
 import { h } from "../common/dom.ts";
 import { t } from "../words/translate.ts";
-import { diagram } from "./diagram.ts";
+import { diagram } from "./drill-diagram.ts";
 import type { Drill } from "./drills/index.ts";
-import { levelCurve } from "./curves.ts";
-import { drillName, goalText, tableText } from "./words.ts";
+import { levelCurve } from "./score-curves.ts";
+import { drillName, goalText, tableText } from "./train-words.ts";
 
 /** Drills on a page. */
 export const MOST_ON_SHEET = 6;

@@ -2,7 +2,7 @@
 
 import { CaromError } from "../../engine/error.ts";
 import type { Engine, Shot } from "../../engine/index.ts";
-import type { Chunk, FromWorker, VariantsRequest } from "./protocol.ts";
+import type { Chunk, FromWorker, VariantsRequest } from "./variants-protocol.ts";
 
 /**
  * Variants per chunk: about ten milliseconds for a mid-game shot. Between chunks the worker checks

@@ -2,9 +2,9 @@
 
 import type { Point } from "../../engine/index.ts";
 import { ballText, fill, TEXTS } from "../texts.ts";
-import type { Session } from "../session.ts";
+import type { Session } from "../photo-session.ts";
 import { element } from "./element.ts";
-import type { Stage } from "./stage.ts";
+import type { Stage } from "./photo-stage.ts";
 
 /** A landmark by its index, or a ball by its id. */
 export type Mark = { readonly landmark: number } | { readonly ball: string };

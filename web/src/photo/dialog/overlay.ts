@@ -3,9 +3,9 @@
 import type { Point } from "../../engine/index.ts";
 import { look } from "../../viewer/index.ts";
 import { project } from "../geometry/camera.ts";
-import { outline } from "../picture/outline.ts";
-import type { Session } from "../session.ts";
-import type { Stage } from "./stage.ts";
+import { outline } from "../picture/ball-outline.ts";
+import type { Session } from "../photo-session.ts";
+import type { Stage } from "./photo-stage.ts";
 
 /** Points per side of the table, so that a distorted side is drawn as a curve. */
 const POINTS = 24;

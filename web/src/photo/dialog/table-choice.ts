@@ -1,7 +1,7 @@
 /** The list of tables in the dialog. */
 
 import type { Engine, ShotFile } from "../../engine/index.ts";
-import { isDated } from "../presets.ts";
+import { isDated } from "../dated-presets.ts";
 import { tableText, TEXTS } from "../texts.ts";
 import { element } from "./element.ts";
 

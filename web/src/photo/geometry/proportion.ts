@@ -4,8 +4,8 @@
  */
 
 import type { Engine } from "../../engine/index.ts";
-import { isDated } from "../presets.ts";
-import { tableOf, type TableOfPhoto } from "./layout.ts";
+import { isDated } from "../dated-presets.ts";
+import { tableOf, type TableOfPhoto } from "./photo-layout.ts";
 
 /** Least number of balls whose median size is believed. */
 export const ENOUGH = 4;

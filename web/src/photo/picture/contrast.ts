@@ -1,7 +1,7 @@
 /** How clearly an outline stands out in a photo. */
 
 import type { Point } from "../../engine/index.ts";
-import { meanRadius, type OutlinePoint } from "./outline.ts";
+import { meanRadius, type OutlinePoint } from "./ball-outline.ts";
 import { sample, type Pixels } from "./pixels.ts";
 
 /** Half the width over which an edge is measured, in radii and at least in pixels. */

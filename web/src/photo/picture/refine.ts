@@ -3,7 +3,7 @@
 import type { Point } from "../../engine/index.ts";
 import type { Camera } from "../geometry/camera.ts";
 import { contrast } from "./contrast.ts";
-import { meanRadius, outline } from "./outline.ts";
+import { meanRadius, outline } from "./ball-outline.ts";
 import type { Pixels } from "./pixels.ts";
 
 /**

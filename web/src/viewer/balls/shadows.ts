@@ -8,9 +8,9 @@ import {
   PlaneGeometry,
   Vector3,
 } from "three";
-import { SLANT } from "../lighting";
-import { setCover } from "../render/extent";
-import { LAYER } from "../table/solid";
+import { SLANT } from "../lighting.ts";
+import { setCover } from "../render/extent.ts";
+import { LAYER } from "../table/solid.ts";
 
 /** Radius of a shadow, ball radii, and its darkness. */
 const RADIUS = 1.55;

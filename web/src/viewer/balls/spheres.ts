@@ -11,11 +11,11 @@ import {
   ShaderMaterial,
   Vector3,
 } from "three";
-import type { Light } from "../lighting";
-import { setCover } from "../render/extent";
-import { labelTexture } from "./labels";
-import type { Look } from "./look";
-import { FRAGMENT, SHADOW_FRAGMENT, SHADOW_VERTEX, VERTEX } from "./shader";
+import type { Light } from "../lighting.ts";
+import { setCover } from "../render/extent.ts";
+import { labelTexture } from "./label-texture.ts";
+import type { Look } from "./look.ts";
+import { FRAGMENT, SHADOW_FRAGMENT, SHADOW_VERTEX, VERTEX } from "./shader.ts";
 
 /** Numbers per ball in each attribute. */
 const SIZE = 4;

@@ -2,8 +2,8 @@
 
 import { PerspectiveCamera, Vector3 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import type { CameraMode } from "../types";
-import { apply, behind, between, type Box, oblique, type Pose, poseOf, top } from "./pose";
+import type { CameraMode } from "../viewer-types.ts";
+import { apply, behind, between, type Box, oblique, type Pose, poseOf, top } from "./pose.ts";
 
 /** Duration of a flight, ms. */
 const FLIGHT = 650;

@@ -10,8 +10,8 @@ import {
   Vector2,
   Vector3,
 } from "three";
-import { reach } from "../table/outline";
-import type { CuePose, Geometry } from "../types";
+import { reach } from "../table/table-outline.ts";
+import type { CuePose, Geometry } from "../viewer-types.ts";
 
 /** Parts from tip to butt: length (m), colour. */
 const PARTS: readonly (readonly [number, string])[] = [

@@ -1,6 +1,6 @@
 /** Density of points: bins on a grid, smoothed, and their colours. */
 
-import type { Point } from "../types";
+import type { Point } from "../viewer-types.ts";
 
 /** Side of a bin, m: a third of a ball's diameter. */
 const BIN = 0.02;

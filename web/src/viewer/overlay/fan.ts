@@ -13,9 +13,9 @@ import {
   PlaneGeometry,
   SRGBColorSpace,
 } from "three";
-import { LAYER } from "../table/solid";
-import type { Point } from "../types";
-import { bin, colors, type Density, smooth } from "./density";
+import { LAYER } from "../table/solid.ts";
+import type { Point } from "../viewer-types.ts";
+import { bin, colors, type Density, smooth } from "./density.ts";
 
 /** Opacity of one path; overlapping paths add up. */
 const PATH_OPACITY = 0.9;

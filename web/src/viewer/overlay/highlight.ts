@@ -11,10 +11,10 @@ import {
   Shape,
   ShapeGeometry,
 } from "three";
-import type { Balls } from "../balls";
-import { LAYER } from "../table/solid";
-import { outline } from "../table/outline";
-import type { Geometry, Lit } from "../types";
+import type { Balls } from "../balls/drawn-balls.ts";
+import { LAYER } from "../table/solid.ts";
+import { outline } from "../table/table-outline.ts";
+import type { Geometry, Lit } from "../viewer-types.ts";
 
 const COLOR = 0xffe08a;
 /** Period of the pulse, s; its least and greatest opacity, and the opacity without a pulse. */

@@ -1,7 +1,7 @@
 /** Parts of paths: what is flown, what is on the table, and the last second before a time. */
 
-/** Numbers per point of a path: x, y, z (m), t (s). */
-const STRIDE = 4;
+import { VERTEX } from "../viewer-types.ts";
+
 /** Height of a ball above the cloth from which its path counts as flight, m: lower hops are not seen. */
 const FLIGHT = 0.004;
 /** Duration of a trail, s, and the number of steps in which it fades. */
@@ -22,15 +22,15 @@ export interface Part {
  */
 export function parts(points: ArrayLike<number>, radius: number): Part[] {
   const found: Part[] = [];
-  for (let at = 0; at + STRIDE < points.length; at += STRIDE) {
-    const top = Math.max(points[at + 2]!, points[at + 2 + STRIDE]!);
+  for (let at = 0; at + VERTEX < points.length; at += VERTEX) {
+    const top = Math.max(points[at + 2]!, points[at + 2 + VERTEX]!);
     const flies = top > radius + FLIGHT;
     let part = found.at(-1);
     if (part?.flies !== flies) {
-      part = { points: slice(points, at, at + STRIDE), flies };
+      part = { points: slice(points, at, at + VERTEX), flies };
       found.push(part);
     }
-    part.points.push(...slice(points, at + STRIDE, at + 2 * STRIDE));
+    part.points.push(...slice(points, at + VERTEX, at + 2 * VERTEX));
   }
   return found;
 }
@@ -38,8 +38,8 @@ export function parts(points: ArrayLike<number>, radius: number): Part[] {
 /** The part of a path between two times (s), with its ends interpolated; empty outside the path. */
 export function between(points: ArrayLike<number>, start: number, end: number): number[] {
   const found: number[] = [];
-  for (let at = 0; at + STRIDE < points.length; at += STRIDE) {
-    const [from, to] = [points[at + 3]!, points[at + 3 + STRIDE]!];
+  for (let at = 0; at + VERTEX < points.length; at += VERTEX) {
+    const [from, to] = [points[at + 3]!, points[at + 3 + VERTEX]!];
     if (to <= start || from >= end || to === from) continue;
     const [a, b] = [Math.max(start, from), Math.min(end, to)];
     if (found.length === 0) found.push(...interpolated(points, at, (a - from) / (to - from)));
@@ -65,7 +65,7 @@ export function trail(
 
 function interpolated(points: ArrayLike<number>, at: number, t: number): number[] {
   return [0, 1, 2, 3].map(
-    (k) => points[at + k]! + t * (points[at + STRIDE + k]! - points[at + k]!),
+    (k) => points[at + k]! + t * (points[at + VERTEX + k]! - points[at + k]!),
   );
 }
 

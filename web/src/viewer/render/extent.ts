@@ -1,7 +1,7 @@
 /** Where on the screen the objects of a scene are drawn. */
 
 import { Box3, type Camera, Matrix4, type Mesh, type Object3D, Vector3, Vector4 } from "three";
-import type { Tiles } from "./tiles";
+import type { Tiles } from "./tiles.ts";
 
 /**
  * Receives a part of an object: all points within `radius` (m) and `pixels` of the line from `from` to

@@ -15,11 +15,11 @@ import {
   Vector2,
   WebGLRenderer,
 } from "three";
-import { Extent } from "./extent";
-import { Kept } from "./kept";
-import { DEPTH, MOVING, STILL } from "./layers";
-import { Copier, Picture } from "./picture";
-import { Tiles } from "./tiles";
+import { Extent } from "./extent.ts";
+import { Kept } from "./kept-picture.ts";
+import { DEPTH, MOVING, STILL } from "./layers.ts";
+import { Copier, Picture } from "./picture.ts";
+import { Tiles } from "./tiles.ts";
 
 /** Magnification and diameter (CSS pixels) of the loupe, and its border as a share of the radius. */
 export const ZOOM = 2.5;

@@ -1,9 +1,9 @@
 /** Diamonds on the rails, and lines and spots on the cloth. */
 
 import type { BufferGeometry } from "three";
-import type { Geometry, Point } from "../types";
-import { LAYER } from "./solid";
-import { raised, ring, Surface } from "./surface";
+import type { Geometry, Point } from "../viewer-types.ts";
+import { LAYER } from "./solid.ts";
+import { raised, ring, Surface } from "./surface.ts";
 
 /** Half the width and half the length of a diamond, m; typical values. */
 const SIGHT: Point = [0.0075, 0.0165];

@@ -8,7 +8,7 @@ import {
   type Texture,
   Vector4,
 } from "three";
-import { grain, weave } from "./patterns";
+import { grain, weave } from "./patterns.ts";
 
 /** Length of a tile of each pattern, m. */
 const WEAVE_TILE = 0.11;

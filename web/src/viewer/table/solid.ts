@@ -1,9 +1,17 @@
 /** The body of a table: cloth, cushions, pockets, wood and frame as surfaces. */
 
 import type { BufferGeometry } from "three";
-import type { Geometry, Point } from "../types";
-import { behind, type Outline } from "./outline";
-import { offset, raised, ring, roundedRectangle, Surface, type Line, type Shade } from "./surface";
+import type { Geometry, Point } from "../viewer-types.ts";
+import { behind, type Outline } from "./table-outline.ts";
+import {
+  offset,
+  raised,
+  ring,
+  roundedRectangle,
+  Surface,
+  type Line,
+  type Shade,
+} from "./surface.ts";
 
 /** Distance of a cushion's foot behind its nose, m; the rubber is a wedge. */
 const RECESS = 0.014;

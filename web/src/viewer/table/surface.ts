@@ -1,7 +1,7 @@
 /** Triangles from filled outlines and from bands between lines. */
 
 import { BufferGeometry, Float32BufferAttribute, ShapeUtils, Vector2 } from "three";
-import type { Point } from "../types";
+import type { Point } from "../viewer-types.ts";
 
 /** A line in space: x, y, z (m) per point. */
 export type Line = readonly (readonly [number, number, number])[];

@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
 import { load, type PocketName, type ShotFile } from "../../../src/engine/index.ts";
-import { Desk, type DeskWorker } from "../../../src/app/analyse/desk/client.ts";
-import type { ChancePart, Job, Parts } from "../../../src/app/analyse/desk/protocol.ts";
-import { within } from "../../../src/app/analyse/desk/table.ts";
-import { interval, ordersOf } from "../../../src/app/analyse/orders.ts";
-import { type DeskPort, serveDesk, steps } from "../../../src/app/analyse/desk/server.ts";
+import { Desk, type DeskWorker } from "../../../src/app/analyse/desk/desk-client.ts";
+import type { ChancePart, Job, Parts } from "../../../src/app/analyse/desk/desk-protocol.ts";
+import { within } from "../../../src/app/analyse/desk/desk-layout.ts";
+import { interval, ordersOf } from "../../../src/app/analyse/plan-orders.ts";
+import { type DeskPort, serveDesk, steps } from "../../../src/app/analyse/desk/desk-server.ts";
 
 const engine = await load();
 const noise = engine.noisePresets.club!;

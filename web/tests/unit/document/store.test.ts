@@ -1,13 +1,13 @@
 import { describe, expect, test, vi } from "vitest";
 import { CaromError, load, type Engine } from "../../../src/engine/index.ts";
-import { documentOf } from "../../../src/app/document/file.ts";
+import { documentOf } from "../../../src/app/document/shot-file.ts";
 import {
   type FoundPot,
   type PotQuestion,
   type PotSolver,
   Store,
 } from "../../../src/app/document/store.ts";
-import { makeElevationAutomatic } from "../../../src/app/document/strike.ts";
+import { makeElevationAutomatic } from "../../../src/app/document/strike-changes.ts";
 
 const engine: Engine = await load();
 

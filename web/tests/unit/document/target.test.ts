@@ -3,8 +3,8 @@
 import { describe, expect, test } from "vitest";
 import { load } from "../../../src/engine/index.ts";
 import type { AimedShot } from "../../../src/app/document/document.ts";
-import { documentOf } from "../../../src/app/document/file.ts";
-import { placeBall } from "../../../src/app/document/layout.ts";
+import { documentOf } from "../../../src/app/document/shot-file.ts";
+import { placeBall } from "../../../src/app/document/layout-changes.ts";
 import { Store } from "../../../src/app/document/store.ts";
 import { targetOf } from "../../../src/app/document/target.ts";
 

@@ -5,8 +5,8 @@ import {
   type Noise,
   type Play,
   type ShotFile,
-} from "../../../src/engine/index.js";
-import { shotFile } from "./files.js";
+} from "../../../src/engine/index.ts";
+import { shotFile } from "./files.ts";
 
 const engine = await load();
 const shot = engine.shot(shotFile("half_ball_cut"));
@@ -124,7 +124,7 @@ describe("a strike may be written as in a shot file", () => {
     const warn = vi.spyOn(console, "warn").mockReturnValue();
     // New modules, because a warning is given once per thread.
     vi.resetModules();
-    const fresh = await (await import("../../../src/engine/index.js")).load();
+    const fresh = await (await import("../../../src/engine/index.ts")).load();
     const own = fresh.shot(shotFile("half_ball_cut"));
     own.withStrike({ speed: 2, azimuth: 6 });
     expect(warn).not.toHaveBeenCalled();
@@ -221,7 +221,7 @@ describe("old spellings work and warn once", () => {
     try {
       // New modules, because a warning is given once per thread.
       vi.resetModules();
-      const fresh = await import("../../../src/engine/index.js");
+      const fresh = await import("../../../src/engine/index.ts");
       const own = await fresh.load();
       const cut = own.shot(shotFile("half_ball_cut"));
       const noise = own.olympiad();

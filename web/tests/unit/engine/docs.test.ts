@@ -2,9 +2,9 @@ import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { fileURLToPath, pathToFileURL } from "node:url";
 import { expect, test, vi } from "vitest";
-import { read } from "./files.js";
+import { read } from "./files.ts";
 
-const ENGINE = fileURLToPath(new URL("../../../src/engine/index.js", import.meta.url));
+const ENGINE = fileURLToPath(new URL("../../../src/engine/index.ts", import.meta.url));
 
 // The snippets of a page build on each other, so they run as one program.
 test.each(["docs/javascript.md", "docs/lockstep.md", "web/src/engine/README.md"])(

@@ -1,6 +1,6 @@
 import { describe, expect, test } from "vitest";
-import { load } from "../../../src/engine/index.js";
-import { GOLDENS, read, shotFile } from "./files.js";
+import { load } from "../../../src/engine/index.ts";
+import { GOLDENS, read, shotFile } from "./files.ts";
 
 const engine = await load();
 

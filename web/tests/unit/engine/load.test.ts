@@ -1,14 +1,14 @@
 import { readFileSync } from "node:fs";
 import { expect, test, vi } from "vitest";
-import type * as Core from "../../../src/engine/core.js";
-import { shotFile } from "./files.js";
+import type * as Core from "../../../src/engine/core.ts";
+import { shotFile } from "./files.ts";
 
 const wasm = readFileSync(new URL("../../../src/engine/pkg/carom_wasm_bg.wasm", import.meta.url));
 
 /** New instances of the engine's modules, as in another thread. */
 async function fresh(): Promise<typeof Core> {
   vi.resetModules();
-  return import("../../../src/engine/core.js");
+  return import("../../../src/engine/core.ts");
 }
 
 test("the engine loads from bytes and from another thread's module", async () => {

@@ -6,8 +6,8 @@ import {
   type FrameRecord,
   load,
   type PlayerOptions,
-} from "../../../src/engine/index.js";
-import { read } from "./files.js";
+} from "../../../src/engine/index.ts";
+import { read } from "./files.ts";
 
 const engine = await load();
 

@@ -7,8 +7,8 @@ import {
   load,
   type Play,
   type Ruling,
-} from "../../../src/engine/index.js";
-import { read } from "./files.js";
+} from "../../../src/engine/index.ts";
+import { read } from "./files.ts";
 
 const engine = await load();
 

@@ -7,8 +7,8 @@ import {
   type Play,
   type Ruling,
   type Strike,
-} from "../../../src/engine/index.js";
-import { read } from "./files.js";
+} from "../../../src/engine/index.ts";
+import { read } from "./files.ts";
 
 const engine = await load();
 

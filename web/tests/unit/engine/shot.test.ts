@@ -8,8 +8,8 @@ import {
   type Shot,
   type ShotFile,
   type TraceFile,
-} from "../../../src/engine/index.js";
-import { GOLDENS, shotFile } from "./files.js";
+} from "../../../src/engine/index.ts";
+import { GOLDENS, shotFile } from "./files.ts";
 
 const engine = await load();
 

@@ -7,16 +7,16 @@ import {
   load,
   type PlayerOptions,
   type Progress,
-} from "../../../src/engine/index.js";
+} from "../../../src/engine/index.ts";
 import {
   connectThinker,
   type Thinker,
   type ThinkerWorker,
-} from "../../../src/engine/thinker-client.js";
-import { serve } from "../../../src/engine/thinker-server.js";
-import type { FromThinker, ThinkerPort, ToThinker } from "../../../src/engine/thinker-protocol.js";
-import { read } from "./files.js";
-import { compiledPackage } from "./package.js";
+} from "../../../src/engine/thinker-client.ts";
+import { serve } from "../../../src/engine/thinker-server.ts";
+import type { FromThinker, ThinkerPort, ToThinker } from "../../../src/engine/thinker-protocol.ts";
+import { read } from "./files.ts";
+import { compiledPackage } from "./package.ts";
 
 const engine = await load();
 const noise = engine.noisePresets.club!;

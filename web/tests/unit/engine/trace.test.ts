@@ -6,9 +6,9 @@ import {
   type BallState,
   type ShotFile,
   type Trace,
-} from "../../../src/engine/index.js";
+} from "../../../src/engine/index.ts";
 import initialised, { Trace as InnerTrace } from "../../../src/engine/pkg/carom_wasm.js";
-import { GOLDENS, shotFile } from "./files.js";
+import { GOLDENS, shotFile } from "./files.ts";
 
 const engine = await load();
 const simulated = (name: string): Trace => engine.shot(shotFile(name)).simulate();

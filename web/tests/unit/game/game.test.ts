@@ -1,9 +1,14 @@
 import { describe, expect, test } from "vitest";
 import { CaromError, load, type Strike } from "../../../src/engine/index.ts";
-import { documentOf } from "../../../src/app/document/file.ts";
+import { documentOf } from "../../../src/app/document/shot-file.ts";
 import type { Context } from "../../../src/app/common/context.ts";
-import { areasOf } from "../../../src/app/game/areas.ts";
-import { type Game, type Move, newGame, type Setup } from "../../../src/app/document/game.ts";
+import { areasOf } from "../../../src/app/game/game-areas.ts";
+import {
+  type Game,
+  type Move,
+  newGame,
+  type Setup,
+} from "../../../src/app/document/stored-game.ts";
 import {
   announceCall,
   intendedCall,
@@ -11,9 +16,15 @@ import {
   tapBall,
   tapPocket,
 } from "../../../src/app/game/calling.ts";
-import { choose, concede, endGame, playShot, startGame } from "../../../src/app/game/play.ts";
-import { askedShot, canAim, standing } from "../../../src/app/game/turn.ts";
-import { progressOf } from "../../../src/app/game/progress.ts";
+import {
+  choose,
+  concede,
+  endGame,
+  playShot,
+  startGame,
+} from "../../../src/app/game/game-actions.ts";
+import { askedShot, canAim, standing } from "../../../src/app/game/awaited-turn.ts";
+import { progressOf } from "../../../src/app/game/game-progress.ts";
 import { freePlace, handOf, referee } from "../../../src/app/game/referee.ts";
 import { Store } from "../../../src/app/document/store.ts";
 

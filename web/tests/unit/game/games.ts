@@ -2,10 +2,10 @@
 
 import { load } from "../../../src/engine/index.ts";
 import type { Context } from "../../../src/app/common/context.ts";
-import { documentOf } from "../../../src/app/document/file.ts";
-import type { Setup } from "../../../src/app/document/game.ts";
+import { documentOf } from "../../../src/app/document/shot-file.ts";
+import type { Setup } from "../../../src/app/document/stored-game.ts";
 import { Store } from "../../../src/app/document/store.ts";
-import { startGame } from "../../../src/app/game/play.ts";
+import { startGame } from "../../../src/app/game/game-actions.ts";
 import { referee } from "../../../src/app/game/referee.ts";
 
 export const engine = await load();

@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
 import type { ShotFile, Trace } from "../../../src/engine/index.ts";
-import { guideOf } from "../../../src/app/document/game.ts";
-import { shortPaths } from "../../../src/app/game/guide/paths.ts";
-import { guideText } from "../../../src/app/game/guide/words.ts";
+import { guideOf } from "../../../src/app/document/stored-game.ts";
+import { shortPaths } from "../../../src/app/game/guide/short-paths.ts";
+import { guideText } from "../../../src/app/game/guide/guide-words.ts";
 import { begun, engine } from "./games.ts";
 
 function traceOf(more: object, balls: readonly (readonly [string, number, number])[] = []): Trace {

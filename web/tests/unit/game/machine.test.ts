@@ -2,12 +2,12 @@ import { afterEach, beforeEach, describe, expect, test, vi } from "vitest";
 import type { Decision, FrameRecord, PlayerOptions } from "../../../src/engine/index.ts";
 import type { Store } from "../../../src/app/document/store.ts";
 import { lastByMachine, reasonOf } from "../../../src/app/game/machine/reason.ts";
-import { reasonInWords } from "../../../src/app/game/machine/explain.ts";
-import { LEVELS, machineNoise } from "../../../src/app/game/machine/levels.ts";
-import { type Decider, READING, Turns } from "../../../src/app/game/machine/turns.ts";
-import { canConcede, playDecision, playShot } from "../../../src/app/game/play.ts";
-import { canAim, standing } from "../../../src/app/game/turn.ts";
-import { progressOf } from "../../../src/app/game/progress.ts";
+import { reasonInWords } from "../../../src/app/game/machine/machine-explanation.ts";
+import { LEVELS, machineNoise } from "../../../src/app/game/machine/machine-levels.ts";
+import { type Decider, READING, Turns } from "../../../src/app/game/machine/machine-turns.ts";
+import { canConcede, playDecision, playShot } from "../../../src/app/game/game-actions.ts";
+import { canAim, standing } from "../../../src/app/game/awaited-turn.ts";
+import { progressOf } from "../../../src/app/game/game-progress.ts";
 import { begun, context, engine } from "./games.ts";
 
 /** A thinker on the calling thread. */

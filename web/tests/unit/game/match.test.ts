@@ -1,12 +1,12 @@
 import { describe, expect, test } from "vitest";
-import type { Race } from "../../../src/app/document/game.ts";
-import { newGame } from "../../../src/app/document/game.ts";
-import { foulWithout } from "../../../src/app/game/match/clock.ts";
+import type { Race } from "../../../src/app/document/stored-game.ts";
+import { newGame } from "../../../src/app/document/stored-game.ts";
+import { foulWithout } from "../../../src/app/game/match/shot-clock.ts";
 import { framesWon, nextFrame, raceWinner } from "../../../src/app/game/match/race.ts";
-import { trayOf } from "../../../src/app/game/match/tray.ts";
-import { concede, playMove, playShot, startNext } from "../../../src/app/game/play.ts";
-import { standing } from "../../../src/app/game/turn.ts";
-import { stateFromFragment, stateToFragment } from "../../../src/app/share/state.ts";
+import { trayOf } from "../../../src/app/game/match/pocketed-tray.ts";
+import { concede, playMove, playShot, startNext } from "../../../src/app/game/game-actions.ts";
+import { standing } from "../../../src/app/game/awaited-turn.ts";
+import { stateFromFragment, stateToFragment } from "../../../src/app/share/link-state.ts";
 import { toFragment } from "../../../src/app/share/link.ts";
 import { begun, context, engine, setup, SHOT } from "./games.ts";
 

@@ -1,11 +1,11 @@
 import { expect, test } from "vitest";
 import { type Call, load, type ShotRequest } from "../../../src/engine/index.ts";
-import { documentOf } from "../../../src/app/document/file.ts";
+import { documentOf } from "../../../src/app/document/shot-file.ts";
 import type { Context } from "../../../src/app/common/context.ts";
 import { announceCall } from "../../../src/app/game/calling.ts";
-import { choose, playShot, startGame } from "../../../src/app/game/play.ts";
-import { canAim, standing } from "../../../src/app/game/turn.ts";
-import { progressOf } from "../../../src/app/game/progress.ts";
+import { choose, playShot, startGame } from "../../../src/app/game/game-actions.ts";
+import { canAim, standing } from "../../../src/app/game/awaited-turn.ts";
+import { progressOf } from "../../../src/app/game/game-progress.ts";
 import { referee } from "../../../src/app/game/referee.ts";
 import { Store } from "../../../src/app/document/store.ts";
 

@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
 import type { Decision, FrameRecord, PlayerOptions } from "../../../src/engine/index.ts";
 import type { Store } from "../../../src/app/document/store.ts";
-import { concede, playShot } from "../../../src/app/game/play.ts";
-import { costsOf } from "../../../src/app/game/review/costs.ts";
-import { neighbour, replayedMove, traceOf } from "../../../src/app/game/review/shots.ts";
-import { standing } from "../../../src/app/game/turn.ts";
+import { concede, playShot } from "../../../src/app/game/game-actions.ts";
+import { costsOf } from "../../../src/app/game/review/shot-costs.ts";
+import { neighbour, replayedMove, traceOf } from "../../../src/app/game/review/reviewed-shots.ts";
+import { standing } from "../../../src/app/game/awaited-turn.ts";
 import { begun, context, engine } from "./games.ts";
 
 /** Plays a shot. @returns The hash of its trace. */

@@ -3,13 +3,13 @@
 import { expect, test } from "vitest";
 import { CaromError, type FrameRecord } from "../../../src/engine/index.ts";
 import { shoot, takeItFromHere } from "../../../src/app/aim/shoot.ts";
-import { leave } from "../../../src/app/replay/control.ts";
+import { leave } from "../../../src/app/replay/replay-control.ts";
 import type { Store } from "../../../src/app/document/store.ts";
-import { withComment } from "../../../src/app/document/tree.ts";
-import { playShot } from "../../../src/app/game/play.ts";
-import { progressOf } from "../../../src/app/game/progress.ts";
+import { withComment } from "../../../src/app/document/shot-tree.ts";
+import { playShot } from "../../../src/app/game/game-actions.ts";
+import { progressOf } from "../../../src/app/game/game-progress.ts";
 import { atOnce } from "../../../src/app/common/slices.ts";
-import { gameOfRecord, plainRecordOf, recordOf } from "../../../src/app/game/record.ts";
+import { gameOfRecord, plainRecordOf, recordOf } from "../../../src/app/game/game-record.ts";
 import {
   closeStudy,
   countVariations,

@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
 import { meet, position, project, ray } from "../../../src/photo/geometry/camera.ts";
-import { outline } from "../../../src/photo/picture/outline.ts";
+import { outline } from "../../../src/photo/picture/ball-outline.ts";
 import { lookAt } from "../../photo/views.ts";
 
 const LENS = { focal: 900, center: [600, 450] as const };

@@ -3,7 +3,7 @@ import { load, type Point } from "../../../src/engine/index.ts";
 import { calibrate, type Calibration, type Size } from "../../../src/photo/geometry/calibrate.ts";
 import { meet, project } from "../../../src/photo/geometry/camera.ts";
 import { landmarks } from "../../../src/photo/geometry/landmarks.ts";
-import { tableOf } from "../../../src/photo/geometry/layout.ts";
+import { tableOf } from "../../../src/photo/geometry/photo-layout.ts";
 import { straightened } from "../../../src/photo/picture/rails.ts";
 import { renderRails } from "../../photo/rails.ts";
 import { generator } from "../../photo/random.ts";

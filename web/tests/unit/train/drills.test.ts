@@ -3,10 +3,10 @@ import { load } from "../../../src/engine/index.ts";
 import { LANGUAGES } from "../../../src/app/words/catalogue.ts";
 import { named, setLanguage } from "../../../src/app/words/translate.ts";
 import { DRILLS, drillOf } from "../../../src/app/train/drills/index.ts";
-import { deviation, layoutOf } from "../../../src/app/train/layout.ts";
-import { levelScores, nearestLevel } from "../../../src/app/train/levels.ts";
-import stored from "../../../src/app/train/levels.json";
-import { greatest } from "../../../src/app/train/score.ts";
+import { deviation, layoutOf } from "../../../src/app/train/drill-layout.ts";
+import { levelScores, nearestLevel } from "../../../src/app/train/drill-levels.ts";
+import stored from "../../../src/app/train/drill-levels.json";
+import { greatest } from "../../../src/app/train/drill-score.ts";
 import { fingerprint } from "../../../scripts/drill_levels/levels.ts";
 
 const engine = await load();

@@ -1,10 +1,10 @@
 import { describe, expect, test } from "vitest";
 import { load } from "../../../src/engine/index.ts";
-import { judge } from "../../../src/app/train/judge.ts";
-import { layoutOf } from "../../../src/app/train/layout.ts";
-import { clothOf } from "../../../src/app/train/places.ts";
-import { puzzleOf } from "../../../src/app/train/puzzle/generate.ts";
-import { randomOf } from "../../../src/app/train/puzzle/random.ts";
+import { judge } from "../../../src/app/train/drill-judge.ts";
+import { layoutOf } from "../../../src/app/train/drill-layout.ts";
+import { clothOf } from "../../../src/app/train/drill-places.ts";
+import { puzzleOf } from "../../../src/app/train/puzzle/daily-puzzle.ts";
+import { randomOf } from "../../../src/app/train/puzzle/seeded-random.ts";
 import stored from "./puzzles.json";
 
 const engine = await load();

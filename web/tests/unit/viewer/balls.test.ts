@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { calm } from "../../../src/viewer/balls";
-import { rounded } from "../../../src/viewer/table/outline";
-import type { Point } from "../../../src/viewer/types";
+import { calm } from "../../../src/viewer/balls/drawn-balls.ts";
+import { rounded } from "../../../src/viewer/table/table-outline.ts";
+import type { Point } from "../../../src/viewer/viewer-types.ts";
 
 test("numbers of resting balls face the viewer, those of fast balls turn with the ball", () => {
   expect(calm(0)).toBe(1);

@@ -8,8 +8,8 @@ import {
   oblique,
   poseOf,
   top,
-} from "../../../src/viewer/camera/pose";
-import { label, RAILED } from "./tables";
+} from "../../../src/viewer/camera/pose.ts";
+import { label, RAILED } from "./tables.ts";
 
 const ASPECTS = {
   desktop: 16 / 9,

@@ -1,7 +1,7 @@
 import { Vector3 } from "three";
 import { expect, test } from "vitest";
-import { clearance, contactPoint } from "../../../src/viewer/overlay/cue";
-import { RAILED } from "./tables";
+import { clearance, contactPoint } from "../../../src/viewer/overlay/cue.ts";
+import { RAILED } from "./tables.ts";
 
 const R = 0.028575;
 const aimed = { ball: 0, azimuth: Math.PI / 2, elevation: 0, side: 0, height: 0, pull: 0 };

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { bin, colors, type Density, smooth } from "../../../src/viewer/overlay/density";
+import { bin, colors, type Density, smooth } from "../../../src/viewer/overlay/density.ts";
 
 const total = ({ values }: Density): number => values.reduce((a, b) => a + b, 0);
 

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { IVORY, look } from "../../../src/viewer/balls/look";
+import { IVORY, look } from "../../../src/viewer/balls/look.ts";
 
 test("a pool ball has the colour of its number, and numbers above eight are striped", () => {
   expect(look("3", 0)).toMatchObject({ striped: false, label: "3", dots: "" });

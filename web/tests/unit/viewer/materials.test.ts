@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { Table } from "../../../src/viewer/table";
-import { TableMaterials } from "../../../src/viewer/table/materials";
-import { RAILED } from "./tables";
+import { Table } from "../../../src/viewer/table/drawn-table.ts";
+import { TableMaterials } from "../../../src/viewer/table/materials.ts";
+import { RAILED } from "./tables.ts";
 
 test("the opaque parts of a table share one shader, and its flat shadows another", () => {
   // Seen: a software renderer took half of the time until the first picture to compile seven of them.

@@ -1,7 +1,7 @@
 import { expect, test } from "vitest";
-import { pocketAt, railAt } from "../../../src/viewer/pointing";
-import { LOUPE, loupePlace } from "../../../src/viewer/render/stage";
-import { RAILED, UNBOUNDED } from "./tables";
+import { pocketAt, railAt } from "../../../src/viewer/pointing.ts";
+import { LOUPE, loupePlace } from "../../../src/viewer/render/stage.ts";
+import { RAILED, UNBOUNDED } from "./tables.ts";
 
 const table = RAILED.find(({ name }) => name === "wpa-9ft")!;
 /** A screen with 300 pixels per metre. */

@@ -1,5 +1,5 @@
 import { expect, test } from "vitest";
-import { Governor, LEVELS, SLOW } from "../../../src/viewer/quality";
+import { Governor, LEVELS, SLOW } from "../../../src/viewer/quality.ts";
 
 /** Runs frames of `ms` each. @returns How often the level changed. */
 function run(governor: Governor, ms: number, frames: number, start: { now: number }): number {

@@ -1,10 +1,10 @@
 import type { BufferGeometry } from "three";
 import { describe, expect, test } from "vitest";
-import { sightPlaces, sights, markings } from "../../../src/viewer/table/fittings";
-import { type Outline, outline, signedArea } from "../../../src/viewer/table/outline";
-import { solid } from "../../../src/viewer/table/solid";
-import type { Geometry, Point } from "../../../src/viewer/types";
-import { UNBOUNDED, label, RAILED, tableOf } from "./tables";
+import { sightPlaces, sights, markings } from "../../../src/viewer/table/fittings.ts";
+import { type Outline, outline, signedArea } from "../../../src/viewer/table/table-outline.ts";
+import { solid } from "../../../src/viewer/table/solid.ts";
+import type { Geometry, Point } from "../../../src/viewer/viewer-types.ts";
+import { UNBOUNDED, label, RAILED, tableOf } from "./tables.ts";
 
 /** Rounding of the dimensions, m. */
 const ROUNDING = 1e-6;

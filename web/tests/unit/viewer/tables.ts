@@ -1,6 +1,6 @@
 import { load } from "../../../src/engine/index.ts";
 import type { ShotFile } from "../../../src/engine/index.ts";
-import type { Geometry } from "../../../src/viewer/types.ts";
+import type { Geometry } from "../../../src/viewer/viewer-types.ts";
 
 const engine = await load();
 

@@ -1,8 +1,8 @@
 import { BoxGeometry, Group, Mesh, PerspectiveCamera, Vector3 } from "three";
 import { expect, test } from "vitest";
-import { Lines } from "../../../src/viewer/overlay/lines";
-import { Extent, setCover } from "../../../src/viewer/render/extent";
-import { TILE, Tiles } from "../../../src/viewer/render/tiles";
+import { Lines } from "../../../src/viewer/overlay/pixel-lines.ts";
+import { Extent, setCover } from "../../../src/viewer/render/extent.ts";
+import { TILE, Tiles } from "../../../src/viewer/render/tiles.ts";
 
 /** Tiles of a screen of 10 × 6 tiles, without the marks of its first picture. */
 function screen(): Tiles {

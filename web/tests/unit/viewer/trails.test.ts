@@ -1,6 +1,6 @@
 import { expect, test } from "vitest";
-import { shadow } from "../../../src/viewer/overlay/paths";
-import { between, parts, trail } from "../../../src/viewer/overlay/trails";
+import { shadow } from "../../../src/viewer/overlay/ball-paths.ts";
+import { between, parts, trail } from "../../../src/viewer/overlay/trails.ts";
 
 const R = 0.028575;
 /** A ball that rolls for a second, flies for a second and rolls again: x, y, z, t per point. */

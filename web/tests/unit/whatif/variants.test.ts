@@ -1,8 +1,8 @@
 import { readFileSync } from "node:fs";
 import { beforeAll, describe, expect, test } from "vitest";
 import { load, type Engine } from "../../../src/engine/index.ts";
-import type { FromWorker, VariantsRequest } from "../../../src/app/whatif/protocol.ts";
-import { Tally } from "../../../src/app/whatif/tally.ts";
+import type { FromWorker, VariantsRequest } from "../../../src/app/whatif/variants-protocol.ts";
+import { Tally } from "../../../src/app/whatif/variant-tally.ts";
 import { simulate } from "../../../src/app/whatif/variants.ts";
 
 const ROOT = new URL("../../../../", import.meta.url);

@@ -2,7 +2,7 @@
 
 import type { Engine } from "../../../engine/index.ts";
 import { ON_TABLE } from "../../../engine/types.ts";
-import type { ChanceJob, ChancePart } from "./protocol.ts";
+import type { ChanceJob, ChancePart } from "./desk-protocol.ts";
 
 /** Variants of a step: some milliseconds. */
 const STEP = 50;

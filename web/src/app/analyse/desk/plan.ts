@@ -9,8 +9,17 @@
 
 import type { Engine, Noise, PocketName, Point, Strike } from "../../../engine/index.ts";
 import { CaromError } from "../../../engine/error.ts";
-import type { Leg, Parts, PlanJob } from "./protocol.ts";
-import { after, estimate, type Layout, placeOf, potLines, read, struck, within } from "./table.ts";
+import type { Leg, Parts, PlanJob } from "./desk-protocol.ts";
+import {
+  after,
+  estimate,
+  type Layout,
+  placeOf,
+  potLines,
+  read,
+  struck,
+  within,
+} from "./desk-layout.ts";
 
 /** Strokes that are tried for a ball after which another one follows: speeds (m/s) and tip heights (ball radii). */
 const SPEEDS = [1, 1.8, 3] as const;

@@ -2,8 +2,8 @@
 
 import type { Engine, PocketName, Point, Shot } from "../../../engine/index.ts";
 import { ON_TABLE } from "../../../engine/types.ts";
-import type { Parts, ZoneJob } from "./protocol.ts";
-import { type Layout, placeOf, potLines, read, struck } from "./table.ts";
+import type { Parts, ZoneJob } from "./desk-protocol.ts";
+import { type Layout, placeOf, potLines, read, struck } from "./desk-layout.ts";
 
 /** Cells across the table; twice as many along it. They are about 10 cm wide. */
 export const COLUMNS = 12;

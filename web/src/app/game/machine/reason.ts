@@ -1,9 +1,9 @@
 /** Why a machine played a shot: the play of its analysis that it executed. */
 
 import type { Engine, Noise, PlannedPlay, Play, Recommendation } from "../../../engine/index.ts";
-import { machineOf, type Game } from "../../document/game.ts";
-import type { Progress } from "../progress.ts";
-import { machineNoise, thinking } from "./levels.ts";
+import { machineOf, type Game } from "../../document/stored-game.ts";
+import type { Progress } from "../game-progress.ts";
+import { machineNoise, thinking } from "./machine-levels.ts";
 import type { Thinker } from "../../../engine/thinker-client.ts";
 
 /** More plays than a search has candidates. */

@@ -3,9 +3,9 @@
 import type { Noise, Seat } from "../../../engine/index.ts";
 import type { Context } from "../../common/context.ts";
 import { h, setText, uniqueId } from "../../common/dom.ts";
-import { lengthText } from "../../common/words.ts";
-import { type Game, machineOf } from "../../document/game.ts";
-import { machineNoise } from "../machine/levels.ts";
+import { lengthText } from "../../common/shot-words.ts";
+import { type Game, machineOf } from "../../document/stored-game.ts";
+import { machineNoise } from "../machine/machine-levels.ts";
 import { bestLag, type Lag, LAG_SPEEDS, type LagTable, lagWinner, playLag } from "./lag.ts";
 import { turned } from "./race.ts";
 import { decimal, t } from "../../words/translate.ts";

@@ -1,7 +1,13 @@
 /** A race: who breaks the next frame, and who has won. */
 
 import type { Seat } from "../../../engine/index.ts";
-import { type Game, newGame, type Pair, type Race, type Setup } from "../../document/game.ts";
+import {
+  type Game,
+  newGame,
+  type Pair,
+  type Race,
+  type Setup,
+} from "../../document/stored-game.ts";
 
 /** The most frames of a race. */
 export const LONGEST_RACE = 25;

@@ -1,0 +1,180 @@
+/** The cue ball as the shooter sees it, with the tip position and the miscue limit. */
+
+import { FINE } from "../document/strike-changes.ts";
+import type { Context } from "../common/context.ts";
+import { h, svg } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
+import { round } from "../common/units.ts";
+import { t } from "../words/translate.ts";
+
+/** Step of an arrow key, ball radii. */
+const STEP = 0.02;
+
+/** Decimals of an offset in ball radii: 0.001 is 0.03 mm. */
+const DIGITS = 3;
+const SCALE = 10 ** DIGITS;
+/** The most by which rounding moves an offset outwards. */
+const ROUNDING = 1 / SCALE;
+
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, 1],
+  ArrowDown: [0, -1],
+};
+
+/**
+ * The picture of the face.
+ *
+ * @returns The picture, and a function that shows the miscue limit and the tip's offset, in ball radii.
+ */
+export function drawFace(): {
+  readonly drawing: SVGSVGElement;
+  readonly show: (limit: number, offset: readonly [side: number, height: number]) => void;
+} {
+  const limit = svg("circle", { class: "face-limit" });
+  const dot = svg("circle", { class: "face-tip", r: 0.1 });
+  const drawing = svg(
+    "svg",
+    { viewBox: "-1.08 -1.08 2.16 2.16", "aria-hidden": "true" },
+    svg("circle", { class: "face-ball", r: 1 }),
+    svg("path", { class: "face-cross", d: "M-1 0H1M0 -1V1" }),
+    limit,
+    dot,
+  );
+  const show = (radius: number, [side, height]: readonly [number, number]): void => {
+    limit.setAttribute("r", String(radius));
+    at(dot, side, height);
+  };
+  return { drawing, show };
+}
+
+/** The nearest offset within the miscue limit, ball radii, rounded towards the centre. */
+export function withinLimit(
+  [side, height]: readonly [number, number],
+  limit: number,
+): readonly [number, number] {
+  const out = Math.hypot(side, height);
+  if (out <= limit - ROUNDING) return [round(side, DIGITS), round(height, DIGITS)];
+  const inward = (value: number) =>
+    round(Math.trunc((value / out) * limit * SCALE) / SCALE, DIGITS);
+  return [inward(side), inward(height)];
+}
+
+export function mountFace(root: HTMLElement, store: Store, context: Context): void {
+  const { drawing, show: draw } = drawFace();
+  const tried = svg("circle", { class: "face-tried", r: 0.1 });
+  drawing.append(tried);
+  const face = h(
+    "div",
+    {
+      class: "face",
+      tabindex: 0,
+      role: "application",
+      "aria-roledescription": t("face.role"),
+      "aria-describedby": "face-hint",
+    },
+    drawing,
+  );
+  root.append(face);
+
+  const fine = (event: { shiftKey: boolean }) => (store.session.fine || event.shiftKey ? FINE : 1);
+  const put = (side: number, height: number, group: string) => {
+    const offset = withinLimit([side, height], store.shot.miscueLimit);
+    return store.strike({ side: offset[0], height: offset[1] }, t("change.tip"), group);
+  };
+
+  let last: { x: number; y: number } | null = null;
+  /** The offset at the pointer, which may be beyond the miscue limit. */
+  let wanted = { side: 0, height: 0 };
+
+  face.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0) return;
+    face.setPointerCapture(event.pointerId);
+    const { side = 0, height = 0 } = store.document.shot.strike;
+    wanted = { side, height };
+    last = { x: event.clientX, y: event.clientY };
+    if (fine(event) === 1) follow(event);
+  });
+  face.addEventListener("pointermove", (event) => {
+    if (!last) return;
+    context.loop.input(face, () => {
+      follow(event);
+    });
+  });
+  for (const type of ["pointerup", "pointercancel"] as const) {
+    face.addEventListener(type, () => {
+      context.loop.flush();
+      last = null;
+      store.settle();
+    });
+  }
+
+  function follow(event: PointerEvent): void {
+    if (!last) return;
+    const box = drawing.getBoundingClientRect();
+    const scale = 2.16 / box.width;
+    if (fine(event) === 1) {
+      wanted = {
+        side: (event.clientX - box.left - box.width / 2) * scale,
+        height: -(event.clientY - box.top - box.height / 2) * scale,
+      };
+    } else {
+      wanted = {
+        side: wanted.side + (event.clientX - last.x) * scale * FINE,
+        height: wanted.height - (event.clientY - last.y) * scale * FINE,
+      };
+    }
+    last = { x: event.clientX, y: event.clientY };
+    put(wanted.side, wanted.height, "face");
+  }
+
+  face.addEventListener("keydown", (event) => {
+    const by = ARROWS[event.key];
+    if (by) {
+      const { side = 0, height = 0 } = store.document.shot.strike;
+      const step = STEP * fine(event);
+      put(side + by[0] * step, height + by[1] * step, "face-keys");
+    } else if (event.key === "Home") {
+      put(0, 0, "face-keys");
+    } else return;
+    event.preventDefault();
+    event.stopPropagation();
+  });
+  face.addEventListener("blur", () => {
+    store.settle();
+  });
+
+  function show(): void {
+    const { side = 0, height = 0 } = store.document.shot.strike;
+    draw(store.shot.miscueLimit, [side, height]);
+    const attempt = store.session.refusal?.attempt?.strike;
+    const off = attempt && (attempt.side !== side || attempt.height !== height);
+    tried.style.display = off ? "" : "none";
+    if (off) at(tried, attempt.side ?? 0, attempt.height ?? 0);
+    face.setAttribute("aria-label", t("face.position", { offset: spokenOffset(side, height) }));
+  }
+  store.subscribe(show);
+  show();
+}
+
+function at(circle: SVGCircleElement, side: number, height: number): void {
+  circle.setAttribute("cx", String(side));
+  circle.setAttribute("cy", String(-height));
+}
+
+/** An offset in words, in percent of the ball's radius. */
+export function spokenOffset(side: number, height: number): string {
+  const part = (value: number, plus: OffsetKey, minus: OffsetKey) => {
+    const percent = round(Math.abs(value) * 100, 1);
+    return value === 0 ? "" : t(value > 0 ? plus : minus, { percent });
+  };
+  const [across, up] = [
+    part(side, "face.right", "face.left"),
+    part(height, "face.follow", "face.draw"),
+  ];
+  if (across !== "" && up !== "") return t("face.both", { side: across, height: up });
+  return across || up || t("face.centre");
+}
+
+type OffsetKey = "face.right" | "face.left" | "face.follow" | "face.draw";

@@ -1,0 +1,102 @@
+/** The list of events, in text; a press on an event goes to its time. */
+
+import type { Trace } from "../../engine/index.ts";
+import { h, setText, uniqueId } from "../common/dom.ts";
+import type { Store } from "../document/store.ts";
+import { momentsOf, seek } from "./replay-control.ts";
+import { mark } from "./event-looks.ts";
+import { latest } from "./event-moments.ts";
+import type { Show } from "./replay-state.ts";
+import { presentTurn } from "../common/seen.ts";
+import { ballName } from "../common/shot-words.ts";
+import { eventInWords } from "./replay-words.ts";
+import { decimal, t } from "../words/translate.ts";
+
+export function mountEvents(root: HTMLElement, store: Store): Show {
+  const heading = h("h2", { id: uniqueId("events") }, t("events.heading"));
+  const only = h("input", { type: "checkbox", id: uniqueId("only") });
+  const onlyLabel = h("label", { for: only.id });
+  const body = h("tbody");
+  root.append(
+    heading,
+    h("div", { class: "row" }, only, onlyLabel),
+    h(
+      "div",
+      { class: "events" },
+      h(
+        "table",
+        { "aria-labelledby": heading.id },
+        h(
+          "thead",
+          {},
+          h(
+            "tr",
+            {},
+            h("th", { scope: "col" }, t("events.second")),
+            h("th", { scope: "col" }, t("events.event")),
+          ),
+        ),
+        body,
+      ),
+    ),
+  );
+  let shown: Trace | null = null;
+  /** The turn of the picture as which rails and pockets are named. */
+  let named = presentTurn();
+  let filter: string | null = null;
+  let current: readonly number[] = [];
+  only.addEventListener("change", () => store.setSession({})); // notifies all listeners
+
+  const fill = (trace: Trace): void => {
+    setText(heading, t("events.count", { count: trace.events.length }));
+    body.replaceChildren(
+      ...trace.events.map((event) => {
+        const go = () => {
+          seek(store, event.time);
+        };
+        const words = h(
+          "button",
+          { type: "button", class: "go", onclick: go },
+          eventInWords(event),
+        );
+        const kind = h("span", { class: "kind", title: t(`kind.${event.type}`) }, mark(event.type));
+        const time = h("td", { class: "time" }, decimal(event.time, 3));
+        return h("tr", {}, time, h("td", {}, h("div", { class: "event" }, kind, words)));
+      }),
+    );
+    current = [];
+  };
+
+  return (trace, ball, time) => {
+    const { id } = trace.shot.balls[ball]!;
+    setText(onlyLabel, t("events.only", { ball: ballName(id) }));
+    const wanted = only.checked ? id : null;
+    const turn = presentTurn();
+    const isSame = trace === shown && turn === named;
+    if (!isSame) fill(trace);
+    const rows = body.rows;
+    if (!isSame || wanted !== filter) {
+      trace.events.forEach(({ balls }, i) => {
+        rows[i]!.hidden = wanted !== null && !balls.includes(wanted);
+      });
+    }
+    [shown, filter, named] = [trace, wanted, turn];
+    const now = latest(momentsOf(trace), time)?.events ?? [];
+    if (now === current) return;
+    for (const index of current) rows[index]!.removeAttribute("aria-current");
+    for (const index of now) rows[index]!.setAttribute("aria-current", "step");
+    current = now;
+    const row = rows[now[0] ?? 0];
+    if (row) keepInView(row);
+  };
+}
+
+/** Scrolls the list, but not the page around it. */
+function keepInView(row: HTMLElement): void {
+  const list = row.closest<HTMLElement>(".events")!;
+  const top = row.offsetTop;
+  const bottom = top + row.offsetHeight;
+  const head = list.querySelector("thead")!.offsetHeight;
+  if (top - head < list.scrollTop) list.scrollTop = top - head;
+  else if (bottom > list.scrollTop + list.clientHeight) list.scrollTop = bottom - list.clientHeight;
+}

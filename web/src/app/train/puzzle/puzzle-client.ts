@@ -1,0 +1,24 @@
+/** The page's side of the worker that makes puzzles. */
+
+import type { Engine } from "../../../engine/index.ts";
+import type { Puzzle } from "./daily-puzzle.ts";
+import type { FromMaker, ToMaker } from "./puzzle-protocol.ts";
+import PuzzleWorker from "./puzzle-worker.ts?worker&inline";
+
+/** Makes the puzzle of a date. The promise is rejected if this browser cannot run the worker. */
+export function makePuzzle({ module }: Pick<Engine, "module">, date: string): Promise<Puzzle> {
+  return new Promise((resolve, reject) => {
+    const worker = new PuzzleWorker();
+    worker.onmessage = ({ data }: MessageEvent<FromMaker>) => {
+      worker.terminate();
+      if (data.kind === "puzzle") resolve(data.puzzle);
+      else reject(new Error(data.message));
+    };
+    worker.onerror = () => {
+      worker.terminate();
+      reject(new Error("the worker did not start"));
+    };
+    const message: ToMaker = { module, date };
+    worker.postMessage(message);
+  });
+}

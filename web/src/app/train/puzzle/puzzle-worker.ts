@@ -1,0 +1,13 @@
+/** Makes a puzzle in a worker, so that the page stays responsive. */
+
+import { load } from "../../../engine/core.ts"; // without embedded WebAssembly: the page sends it
+import { puzzleOf } from "./daily-puzzle.ts";
+import type { FromMaker, ToMaker } from "./puzzle-protocol.ts";
+
+const send = (message: FromMaker) => postMessage(message);
+
+addEventListener("message", ({ data }: MessageEvent<ToMaker>) => {
+  load(data.module)
+    .then((engine) => send({ kind: "puzzle", puzzle: puzzleOf(engine, data.date) }))
+    .catch((error: unknown) => send({ kind: "failed", message: String(error) }));
+});
