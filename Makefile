@@ -43,7 +43,7 @@ RELEASE_TESTS := --profile release-tests -p carom -p carom-check -p carom-rules 
 # maturin is found on the path.
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 
-.PHONY: help demo test stress bench bench-peer docs goldens experiments licenses fmt page picture \
+.PHONY: help demo test stress bench bench-peer docs goldens reference experiments licenses fmt page picture \
         lint lint-rust lint-page lint-python lint-text \
         rust-build rust-test web-test python-test setup clean
 
@@ -137,6 +137,9 @@ docs: $(BUILT) $(PAGE) ## The documentation, into docs/_build.
 
 goldens: $(BUILT) ## Write the goldens again, after an intended change of results.
 	$(PY) scripts/write_goldens.py
+
+reference: ## Write the physics of the JSON Schema and the table of docs/formats.md again.
+	CAROM_WRITE=1 cargo test --quiet -p carom --test shot reference
 
 experiments: $(BUILT) ## Make the stored results again that are older than the physics; resumable.
 	$(PY) scripts/experiments.py

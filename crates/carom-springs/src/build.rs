@@ -1,7 +1,7 @@
 //! The network of a shot: its balls, the slate, the noses that they touch, and the tip.
 
 use carom::Shot;
-use carom::physics::{BallBallModel, CushionModel, Physics, Tip};
+use carom::physics::{CushionModel, Physics, Tip};
 use carom::resolve::cue_ball::Strike;
 
 use crate::Vector;
@@ -67,11 +67,11 @@ pub fn network(shot: &Shot, springs: &Springs) -> Network {
 fn ball_law(physics: &Physics) -> Law {
     let law = &physics.ball_ball;
     let friction = Friction { a: law.friction.a, b: law.friction.b, c: law.friction.c };
-    let smooth = law.model == BallBallModel::Elastic;
+    let traits = law.model.traits();
     Law {
         restitution: Restitution::constant(law.restitution),
-        friction: if smooth { Friction::constant(0.0) } else { friction },
-        frequency_ratio: (law.model == BallBallModel::Compliant).then_some(law.frequency_ratio),
+        friction: if traits.friction { friction } else { Friction::constant(0.0) },
+        frequency_ratio: traits.spring.then_some(law.frequency_ratio),
     }
 }
 

@@ -1,5 +1,6 @@
 //! The differences between the engine's impacts and the springs.
 
+use carom::physics::BallBallModel;
 use carom::trace::TraceEventKind;
 use carom::{Shot, Simulator};
 
@@ -33,9 +34,11 @@ impl CaseKind {
     /// Every kind.
     pub fn all() -> Vec<Self> {
         let mut kinds = Vec::new();
-        let models = ["elastic", "frictional", "compliant"];
+        // Those of a network, which has no friction of the cloth.
+        let models = BallBallModel::ALL.into_iter().filter(|model| !model.traits().cloth);
+        let models = models.map(BallBallModel::name);
         for gaps in [false, true] {
-            for model in models {
+            for model in models.clone() {
                 for alike in [true, false] {
                     kinds.push(Self::Cluster(ClusterKind { model, alike, gaps, pair: false }));
                 }

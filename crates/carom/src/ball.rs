@@ -1,6 +1,12 @@
 //! Balls: their properties, and their state at one instant.
 
 use crate::math::{Vec2, Vec3};
+use crate::range::Range;
+
+/// The masses that a ball or a cue may have.
+pub(crate) const MASS: Range = Range::positive(" kg");
+/// The radii that a ball may have.
+pub(crate) const RADIUS: Range = Range::positive(" m");
 
 /// A solid, homogeneous ball. Its moment of inertia is ⅖mR².
 #[derive(Clone, Copy, Debug, PartialEq)]

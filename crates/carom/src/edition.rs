@@ -82,6 +82,32 @@ impl Edition {
     }
 }
 
+/// The `N` names without a date. Editions of one name stand together.
+pub(crate) const fn undated<const N: usize>(editions: &[Edition]) -> [&'static str; N] {
+    let mut names = [""; N];
+    let (mut count, mut i) = (0, 0);
+    while i < editions.len() {
+        let name = editions[i].name;
+        if count == 0 || !is_same(name, names[count - 1]) {
+            names[count] = name;
+            count += 1;
+        }
+        i += 1;
+    }
+    assert!(count == N, "the number of names");
+    names
+}
+
+/// Whether two names are equal, for constants.
+const fn is_same(a: &str, b: &str) -> bool {
+    let (a, b) = (a.as_bytes(), b.as_bytes());
+    let mut i = 0;
+    while i < a.len() && i < b.len() && a[i] == b[i] {
+        i += 1;
+    }
+    i == a.len() && i == b.len()
+}
+
 /// The names of a physics preset without a date, or else the dated name: [`Edition::current_name`].
 /// `None` if there is no such preset.
 pub fn current_physics_name(name: &str) -> Option<&'static str> {

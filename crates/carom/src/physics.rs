@@ -1,11 +1,13 @@
 //! The parameters of the physical models: plain data, immutable during a shot.
 
 pub mod ball_surface;
+mod evidence;
 pub mod presets;
+pub(crate) mod quantities;
 mod rolling_friction;
 mod rolling_law;
-pub mod sources;
 
+pub use evidence::Evidence;
 pub use rolling_friction::{MAX_ROLLING_BANDS, RollingBand, RollingFriction};
 pub use rolling_law::{RollingLaw, RollingTolerance};
 
@@ -101,6 +103,30 @@ models! {
     }
 }
 
+/// What the law of a model has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PairLawTraits {
+    /// Friction between the balls.
+    pub friction: bool,
+    /// A spring in the tangent plane: `frequency_ratio` says how stiff it is.
+    pub spring: bool,
+    /// Friction of the cloth during the impact of two balls that are on it.
+    pub cloth: bool,
+}
+
+impl BallBallModel {
+    /// What the law has. Contacts of several balls and the checks follow it.
+    pub const fn traits(self) -> PairLawTraits {
+        let (friction, spring, cloth) = match self {
+            Self::Elastic => (false, false, false),
+            Self::Frictional => (true, false, false),
+            Self::Mathavan2014 => (true, false, true),
+            Self::Compliant => (true, true, false),
+        };
+        PairLawTraits { friction, spring, cloth }
+    }
+}
+
 /// Friction coefficient as a function of the slip speed: μ(s) = a + b·exp(−c·s).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SlipFriction {
@@ -141,7 +167,7 @@ pub struct BallBall {
 impl BallBall {
     /// Whether no friction acts between balls.
     pub fn is_smooth(&self) -> bool {
-        self.model == BallBallModel::Elastic || (self.friction.a == 0.0 && self.friction.b == 0.0)
+        !self.model.traits().friction || (self.friction.a == 0.0 && self.friction.b == 0.0)
     }
 }
 

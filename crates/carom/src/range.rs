@@ -59,6 +59,23 @@ impl Range {
         Self { high: self.high * self.high, unit: "", ..self }
     }
 
+    /// The unit; empty for a number without one.
+    pub(crate) fn unit(&self) -> &'static str {
+        self.unit.trim_start()
+    }
+
+    /// The limits by their keywords in a JSON Schema.
+    pub(crate) const fn limits(&self) -> [(&'static str, f64); 2] {
+        let low = if self.low_open { "exclusiveMinimum" } else { "minimum" };
+        let high = if self.high_open { "exclusiveMaximum" } else { "maximum" };
+        [(low, self.low), (high, self.high)]
+    }
+
+    /// The same range with another name of the unit.
+    pub(crate) const fn in_unit(self, unit: &'static str) -> Self {
+        Self { unit, ..self }
+    }
+
     /// Whether `x` is in the range.
     #[inline]
     pub(crate) fn contains(&self, x: f64) -> bool {

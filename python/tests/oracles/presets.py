@@ -1,7 +1,7 @@
 """The physics presets, copied from their published sources.
 
 The engine is given a preset's name and the oracles these numbers, so that a preset that changes
-without a reason is found. The sources are in `crates/carom/src/physics/sources.rs`.
+without a reason is found. The sources are in `crates/carom/src/physics/presets.rs`.
 """
 
 from __future__ import annotations

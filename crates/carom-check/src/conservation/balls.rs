@@ -9,7 +9,6 @@
 
 use carom::event::Event;
 use carom::math::Vec3;
-use carom::physics::BallBallModel;
 use carom::shot::Shot;
 use carom::{Ball, MotionState};
 
@@ -33,7 +32,7 @@ pub(super) fn audit(
             let d = event.before[1].position - event.before[0].position;
             let normal = d * (1.0 / d.length());
             // This model includes the cloth's friction on both balls, so it is not checked.
-            if law.model == BallBallModel::Mathavan2014 && a.stands && b.stands {
+            if law.model.traits().cloth && a.stands && b.stands {
                 return None;
             }
             let approach = (event.before[0].velocity - event.before[1].velocity).dot(normal);
@@ -136,7 +135,7 @@ fn check_total(scene: &Circumstances<'_>, all: &[CollidingBall]) -> Option<Strin
         law.is_smooth() && all.iter().all(|p| p.stands && p.ball.radius == all[0].ball.radius);
     let pressed = if stands && !level { change.z + lift } else { 0.0 };
     // The model that integrates the cloth's friction drops the vertical part of the impulses.
-    let integrated = law.model == BallBallModel::Mathavan2014 && stands;
+    let integrated = law.model.traits().cloth && stands;
     let dropped = if integrated { sum(|p| p.push.length()) } else { 0.0 };
     let most = rounding + friction(shot) * (2.0 * pressed.max(0.0) + dropped);
     let (level, up) = (change.xy().length(), change.z);

@@ -5,13 +5,10 @@
 use std::fmt::Write as _;
 
 use carom::edition;
+use carom::physics::{BallBallModel, CushionModel, SlipFriction};
 
 use super::builder::ShotBuilder;
 use crate::random::Random;
-
-const CUSHIONS: [&str; 5] = ["restitution", "factors", "han-2005", "stronge", "mathavan-2010"];
-const BALLS: [&str; 4] = ["elastic", "frictional", "compliant", "mathavan-2014"];
-const SURFACES: [&str; 3] = ["clean", "used", "dirty"];
 
 /// The largest number of bands that is drawn: as many as the engine has room for.
 const MOST_BANDS: usize = carom::physics::MAX_ROLLING_BANDS;
@@ -51,6 +48,10 @@ fn physics(rng: &mut Random) -> String {
     text
 }
 
+fn one_of<T: Copy>(rng: &mut Random, all: &[T]) -> T {
+    all[rng.below(all.len())]
+}
+
 /// Bands of speed; the coefficient may rise and fall from band to band.
 fn bands(rng: &mut Random) -> String {
     let count = 1 + rng.below(MOST_BANDS);
@@ -71,7 +72,7 @@ fn coefficient(rng: &mut Random) -> f64 {
 
 /// Any model, with a fitted restitution between limits and a fitted friction.
 fn cushion(rng: &mut Random) -> String {
-    let model = CUSHIONS[rng.below(CUSHIONS.len())];
+    let model = one_of(rng, &CushionModel::ALL).name();
     let (lowest, highest) = (rng.between(0.0, 0.5), rng.between(0.5, 1.0));
     let a = rng.between(0.2, 1.3);
     let mut fit = [rng.between(-0.1, 0.1), rng.between(-0.02, 0.02)];
@@ -94,10 +95,10 @@ fn cushion(rng: &mut Random) -> String {
 
 /// Any model, with a named surface, a fitted friction or a constant one.
 fn ball_ball(rng: &mut Random) -> String {
-    let model = BALLS[rng.below(BALLS.len())];
+    let model = one_of(rng, &BallBallModel::ALL).name();
     let restitution = rng.between(0.7, 1.0);
     let friction = match rng.below(3) {
-        0 => format!("\"{}\"", SURFACES[rng.below(SURFACES.len())]),
+        0 => format!("\"{}\"", one_of(rng, &SlipFriction::SURFACES).0),
         1 => format!(
             "{{\"a\": {:?}, \"b\": {:?}, \"c\": {:?}}}",
             rng.between(0.0, 0.1),
@@ -127,8 +128,7 @@ fn cling(rng: &mut Random) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::{ShotFamily, shot_file};
-    use super::SURFACES;
-    use carom::physics::{BallBallModel, CushionModel};
+    use super::{BallBallModel, CushionModel, SlipFriction};
 
     #[test]
     fn every_law_is_drawn() {
@@ -136,7 +136,8 @@ mod tests {
         let words = ["up_to", "lowest", "highest", "cling", "pool-2026-11", "carom"];
         let (cushions, balls) = (CushionModel::ALL, BallBallModel::ALL);
         let models = cushions.iter().map(|m| m.name()).chain(balls.iter().map(|m| m.name()));
-        for word in models.chain(words).chain(SURFACES) {
+        let surfaces = SlipFriction::SURFACES.map(|(name, _)| name);
+        for word in models.chain(words).chain(surfaces) {
             assert!(all.contains(&format!("\"{word}\"")), "{word}");
         }
     }

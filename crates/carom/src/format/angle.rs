@@ -44,6 +44,16 @@ pub(super) const STROKE_ELEVATION: Angle = Angle {
 };
 
 impl Angle {
+    /// The key in radians, and the one in degrees.
+    pub(super) const fn keys(&self) -> [&'static str; 2] {
+        [self.radians_key, self.degrees_key]
+    }
+
+    /// Its ranges in radians and in degrees.
+    pub(super) fn ranges(&self) -> [Range; 2] {
+        [self.radians.in_unit(" rad"), self.degrees.in_unit(" deg")]
+    }
+
     /// The angle in radians, if either key is there.
     pub(super) fn read(&self, fields: &Fields<'_>) -> Result<Option<f64>, Error> {
         match (fields.get(self.radians_key), fields.get(self.degrees_key)) {
@@ -80,10 +90,10 @@ impl Angle {
 /// If `path` is an angle in one unit, removes the same angle in the other unit, so that the file
 /// has the angle once.
 pub(super) fn remove_other_unit(file: &mut Node, path: &KeyPath) {
-    for Angle { parent, radians_key, degrees_key, .. } in [&AZIMUTH, &ELEVATION, &STROKE_ELEVATION]
-    {
-        for (written, other) in [(radians_key, degrees_key), (degrees_key, radians_key)] {
-            let keys: alloc::vec::Vec<&str> = parent.iter().chain([written]).copied().collect();
+    for angle in [&AZIMUTH, &ELEVATION, &STROKE_ELEVATION] {
+        let (parent, [in_radians, in_degrees]) = (angle.parent, angle.keys());
+        for (written, other) in [(in_radians, in_degrees), (in_degrees, in_radians)] {
+            let keys: alloc::vec::Vec<&str> = parent.iter().copied().chain([written]).collect();
             if path.is(&keys) {
                 let parent = parent.iter().try_fold(&mut *file, |node, key| node.get_mut(key));
                 if let Some(parent) = parent {

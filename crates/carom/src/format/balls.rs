@@ -5,9 +5,10 @@ use alloc::vec::Vec;
 
 use super::node::Node;
 use super::read::At;
+use crate::ball::{MASS, RADIUS};
 use crate::error::Error;
 use crate::math::Vec3;
-use crate::shot::{MASS, PlacedBall, RADIUS};
+use crate::shot::PlacedBall;
 use crate::{Ball, BallState};
 
 const KEYS: &[&str] =

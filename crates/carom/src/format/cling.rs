@@ -3,10 +3,10 @@
 use alloc::format;
 
 use super::node::Node;
-use super::physics::FRICTION;
 use super::read::At;
 use crate::error::Error;
 use crate::physics::ball_surface::CHALKED;
+use crate::physics::quantities::FRICTION;
 use crate::shot::{Cling, MOST_CONTACTS};
 
 /// Reads `cling`: the list `contacts`, and optionally `friction`.

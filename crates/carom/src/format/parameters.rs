@@ -5,11 +5,12 @@ use alloc::string::String;
 use alloc::vec::Vec;
 
 use super::node::Node;
+use super::physics::write_value;
 use crate::edition::{self, Edition};
 use crate::error::Error;
-use crate::math::sin_cos;
-use crate::physics::Physics;
-use crate::physics::sources::{Evidence, source};
+use crate::physics::presets::source;
+use crate::physics::quantities::{QUANTITIES, Quantity};
+use crate::physics::{Evidence, Physics};
 
 /// One line of the list that `carom physics` prints.
 #[derive(Clone, Debug, PartialEq)]
@@ -29,52 +30,32 @@ pub struct Parameter {
 /// The values of the physics preset `name`, with or without a date, in the order of a shot file.
 /// `None` if there is no such preset.
 pub fn parameters(name: &str) -> Option<Vec<Parameter>> {
-    let dated = edition::find(edition::PHYSICS, name)?.dated;
+    let physics = Physics::preset(name)?;
     let mut list = Vec::new();
-    add_leaves(dated, String::new(), Physics::preset(dated)?.to_node(), &mut list);
+    for quantity in QUANTITIES {
+        let (evidence, source) = source(name, quantity.path)?;
+        for (key, value) in leaves(quantity, &physics) {
+            let unit = quantity.unit(&key);
+            let group = quantity.path.strip_suffix(quantity.key()).unwrap_or("");
+            list.push(Parameter { key: format!("{group}{key}"), value, unit, evidence, source });
+        }
+    }
     Some(list)
 }
 
-fn add_leaves(dated: &str, path: String, node: Node, list: &mut Vec<Parameter>) {
-    let Node::Object(fields) = node else {
-        // Every key of every preset has a source: a test reads them all.
-        let Some((_, (_, evidence, source))) = source(dated, source_key(&path)) else { return };
-        let unit = unit(&path);
-        list.push(Parameter { key: path, value: node, unit, evidence, source });
-        return;
+/// The numbers and names of a value, with their keys below its group.
+fn leaves(quantity: &Quantity, physics: &Physics) -> Vec<(String, Node)> {
+    let mut node = Node::object([]);
+    write_value(physics, quantity, &mut node);
+    let Node::Object(values) = node else { return Vec::new() };
+    let below = |(key, value)| match value {
+        Node::Object(numbers) => {
+            numbers.into_iter().map(|(inner, x)| (format!("{key}.{inner}"), x)).collect()
+        }
+        _ => alloc::vec![(key, value)],
     };
-    for (key, value) in fields {
-        let path = if path.is_empty() { key } else { format!("{path}.{key}") };
-        add_leaves(dated, path, value, list);
-    }
+    values.into_iter().flat_map(below).collect()
 }
-
-/// The key without the unit in its name.
-fn source_key(key: &str) -> &str {
-    key.strip_suffix("_deg").unwrap_or(key)
-}
-
-/// The unit of the value at `key`.
-fn unit(key: &str) -> &'static str {
-    match key {
-        "gravity" => "m/s²",
-        "cloth.spin_deceleration" => "rad/s²",
-        "cushion.restitution.b" => "per m/s",
-        "cushion.restitution.c" => "per (m/s)²",
-        "cushion.friction.b" => "per rad",
-        "ball_ball.friction.c" => "s/m",
-        _ if key.ends_with("_deg") => "deg",
-        _ if key.ends_with("elevation") => "rad",
-        _ if key.ends_with("mass") => "kg",
-        _ if key.ends_with("radius") => "m",
-        _ if key.starts_with("contact_times.") => "s",
-        _ => "",
-    }
-}
-
-/// Keys of the coefficients that may depend on a speed or an angle.
-const VARIABLE: [&str; 4] =
-    ["cloth.rolling_friction", "ball_ball.friction", "cushion.restitution", "cushion.friction"];
 
 /// The coefficient `key` of `physics` at a speed (m/s): of a rolling ball for
 /// `cloth.rolling_friction`, of slip for `ball_ball.friction`, perpendicular to the rail for
@@ -87,20 +68,12 @@ pub fn coefficient_at(physics: &Physics, key: &str, at: f64) -> Result<f64, Erro
         let what = format!("{at:?} is out of range");
         return Err(Error::input("at", what, "give a finite speed or angle ≥ 0"));
     }
-    let Physics { cloth, ball_ball, cushion, .. } = physics;
-    match key {
-        "cloth.rolling_friction" => Ok(cloth.rolling_friction.at(at)),
-        "ball_ball.friction" => Ok(ball_ball.friction.at(at)),
-        "cushion.restitution" => Ok(cushion.restitution.at(at)),
-        "cushion.friction" => {
-            let (sin, cos) = sin_cos(at);
-            Ok(cushion.friction.at(sin, cos))
-        }
-        _ => {
-            let what = format!("\"{key}\" is not a coefficient that may depend on speed or angle");
-            Err(Error::input("key", what, format!("write one of {}", VARIABLE.join(", "))))
-        }
-    }
+    Quantity::find(key).and_then(|quantity| quantity.at(physics, at)).ok_or_else(|| {
+        let what = format!("\"{key}\" is not a coefficient that may depend on speed or angle");
+        let variable = QUANTITIES.iter().filter(|quantity| quantity.argument().is_some());
+        let keys: Vec<_> = variable.map(|quantity| quantity.path).collect();
+        Error::input("key", what, format!("write one of {}", keys.join(", ")))
+    })
 }
 
 /// Every physics preset: `name`, `dated_name`, `parameters` (`key`, `value`, `unit`, `evidence`,
@@ -130,40 +103,15 @@ fn preset(edition: &Edition) -> Option<Node> {
 
 #[cfg(test)]
 mod tests {
-    use alloc::vec::Vec;
-
-    use super::{Node, Parameter, coefficient_at, parameters, source_key};
+    use super::{coefficient_at, parameters};
     use crate::Physics;
     use crate::edition::PHYSICS;
-    use crate::physics::sources::source;
-
-    fn leaves(node: &Node) -> usize {
-        match node {
-            Node::Object(fields) => fields.iter().map(|(_, value)| leaves(value)).sum(),
-            _ => 1,
-        }
-    }
 
     #[test]
     fn every_value_of_every_preset_has_a_source() {
         for edition in PHYSICS {
-            let list = parameters(edition.dated).unwrap();
-            let all = leaves(&Physics::preset(edition.dated).unwrap().to_node());
-            assert_eq!(list.len(), all, "{}: add the missing keys to sources.rs", edition.dated);
+            let list = parameters(edition.dated).expect("a source for every quantity");
             assert!(list.iter().all(|p| !p.source.is_empty()));
-        }
-    }
-
-    #[test]
-    fn a_source_of_another_preset_is_used_only_for_its_value() {
-        for edition in PHYSICS {
-            for p in parameters(edition.dated).unwrap() {
-                let (from, _) = source(edition.dated, source_key(&p.key)).unwrap();
-                let there: Vec<Parameter> = parameters(from).unwrap();
-                let same = there.iter().find(|other| other.key == p.key);
-                let same = same.map(|other| &other.value);
-                assert_eq!(same, Some(&p.value), "{} of {}", p.key, edition.dated);
-            }
         }
     }
 

@@ -1,33 +1,20 @@
-//! The `physics` of a shot file: a preset's name, or an object merged key by key over its base.
+//! The `physics` of a shot file: a preset's name, or an object merged key by key over its base. The
+//! keys, their order and their ranges are those of [`quantities`](crate::physics::quantities).
 
 use alloc::format;
 use alloc::vec::Vec;
 
 use super::angle::STROKE_ELEVATION;
 use super::node::Node;
-use super::read::At;
-use crate::Ball;
+use super::read::{At, Fields};
 use crate::edition;
 use crate::error::Error;
-use crate::physics::{
-    BallBall, BallBallModel, Cloth, ContactTimes, Cue, Cushion, CushionFriction, CushionModel,
-    CushionRestitution, Physics, RollingBand, RollingFriction, SlipFriction, StrikeModel, Surface,
-    Tip,
+use crate::physics::quantities::{
+    BAND_END, FRACTION, FRICTION, Formula, FormulaLaw, GROUPS, QUANTITIES, Quantity, QuantityShape,
+    TIPS, Words,
 };
+use crate::physics::{Physics, RollingBand, RollingFriction, Tip};
 use crate::range::Range;
-use crate::shot::{MASS, RADIUS};
-
-/// A coefficient of restitution, an efficiency, or a share that is kept.
-const FRACTION: Range = Range::closed(0.0, 1.0, "");
-/// A coefficient of friction.
-pub(super) const FRICTION: Range = Range::not_negative("");
-/// ω_t/ω_n: Stronge's piecewise solution holds if the tangential spring oscillates faster than the
-/// normal one, but less than twice as fast.
-const FREQUENCY_RATIO: Range = Range::closed(1.0, 2.0, "");
-
-/// How long a contact lasts at 1 m/s. Two balls touch for 0.35 ms (Alciatore, TP B.29); beyond this
-/// range the steps of a network would not resolve its shortest and its longest contact together.
-const CONTACT_TIME: Range = Range::closed(5e-5, 5e-2, " s");
 
 /// Reads `physics`; `default` is the preset that belongs to the table.
 pub(super) fn read(at: Option<&At<'_>>, default: &str) -> Result<Physics, Error> {
@@ -35,49 +22,33 @@ pub(super) fn read(at: Option<&At<'_>>, default: &str) -> Result<Physics, Error>
     if !at.is_object() {
         return named(at);
     }
-    let fields = at.fields(&[
-        "base",
-        "gravity",
-        "ball",
-        "cloth",
-        "ball_ball",
-        "cushion",
-        "facing",
-        "liner",
-        "slate",
-        "cue",
-        "contact_times",
-    ])?;
+    let single = keys(Quantity::of_group(""));
+    let groups = GROUPS.iter().map(|(group, _)| *group);
+    let known: Vec<_> = ["base"].into_iter().chain(single).chain(groups).collect();
+    let fields = at.fields(&known)?;
     let mut physics = match fields.get("base") {
         Some(base) => named(&base)?,
         None => preset(default),
     };
-    fields.number_into("gravity", &Range::positive(" m/s²"), &mut physics.gravity)?;
-    if let Some(at) = fields.get("ball") {
-        ball(&at, &mut physics.ball)?;
-    }
-    if let Some(at) = fields.get("cloth") {
-        cloth(&at, &mut physics.cloth)?;
-    }
-    if let Some(at) = fields.get("ball_ball") {
-        ball_ball(&at, &mut physics.ball_ball)?;
-    }
-    if let Some(at) = fields.get("cushion") {
-        cushion(&at, &mut physics.cushion)?;
-    }
-    let Physics { facing, liner, slate, .. } = &mut physics;
-    for (key, law) in [("facing", facing), ("liner", liner), ("slate", slate)] {
-        if let Some(at) = fields.get(key) {
-            surface(&at, law)?;
+    read_values("", &fields, &mut physics)?;
+    for (group, _) in GROUPS {
+        if let Some(at) = fields.get(group) {
+            let known: Vec<_> = keys(Quantity::of_group(group)).collect();
+            read_values(group, &at.fields(&known)?, &mut physics)?;
         }
     }
-    if let Some(at) = fields.get("cue") {
-        cue(&at, &mut physics.cue)?;
-    }
-    if let Some(at) = fields.get("contact_times") {
-        contact_times(&at, &mut physics.contact_times)?;
-    }
     Ok(physics)
+}
+
+/// The keys that a file may have for these values.
+pub(super) fn keys(
+    quantities: impl Iterator<Item = &'static Quantity>,
+) -> impl Iterator<Item = &'static str> {
+    quantities.flat_map(|quantity| match quantity.shape {
+        QuantityShape::Tip => TIPS.map(|(key, ..)| key).to_vec(),
+        QuantityShape::Angle(_) => STROKE_ELEVATION.keys().to_vec(),
+        _ => [quantity.key()].to_vec(),
+    })
 }
 
 fn preset(name: &str) -> Physics {
@@ -90,20 +61,32 @@ fn named(at: &At<'_>) -> Result<Physics, Error> {
     Physics::preset(name).ok_or_else(|| at.unknown_word(name, "physics preset", &known()))
 }
 
-fn ball(at: &At<'_>, ball: &mut Ball) -> Result<(), Error> {
-    let fields = at.fields(&["mass", "radius"])?;
-    fields.number_into("mass", &MASS, &mut ball.mass)?;
-    fields.number_into("radius", &RADIUS, &mut ball.radius)
+fn read_values(group: &str, fields: &Fields<'_>, physics: &mut Physics) -> Result<(), Error> {
+    for quantity in Quantity::of_group(group) {
+        match (&quantity.shape, fields.get(quantity.key())) {
+            (QuantityShape::Angle(angle), _) => {
+                if let Some(read) = STROKE_ELEVATION.read(fields)? {
+                    *(angle.place)(physics) = read;
+                }
+            }
+            (QuantityShape::Tip, _) => read_tip(fields, physics)?,
+            (_, None) => {}
+            (QuantityShape::Number(n), Some(at)) => *(n.place)(physics) = at.number(&n.range)?,
+            (QuantityShape::Model(models, _), Some(at)) => read_word(&at, models, physics)?,
+            (QuantityShape::Formula(fit), Some(at)) => read_fit(&at, fit, physics)?,
+            (QuantityShape::Bands, Some(at)) => {
+                physics.cloth.rolling_friction = rolling_friction(&at)?
+            }
+        }
+    }
+    Ok(())
 }
 
-fn cloth(at: &At<'_>, cloth: &mut Cloth) -> Result<(), Error> {
-    let fields = at.fields(&["sliding_friction", "rolling_friction", "spin_deceleration"])?;
-    fields.number_into("sliding_friction", &FRICTION, &mut cloth.sliding_friction)?;
-    if let Some(at) = fields.get("rolling_friction") {
-        cloth.rolling_friction = rolling_friction(&at)?;
-    }
-    let deceleration = Range::not_negative(" rad/s²");
-    fields.number_into("spin_deceleration", &deceleration, &mut cloth.spin_deceleration)
+fn read_word(at: &At<'_>, words: &Words, physics: &mut Physics) -> Result<(), Error> {
+    let names: Vec<_> =
+        (words.names)().into_iter().enumerate().map(|(i, name)| (name, i)).collect();
+    (words.set)(physics, at.choice(words.kind, &names)?);
+    Ok(())
 }
 
 /// A number, or a list of speed bands. A list replaces that of the base.
@@ -119,87 +102,52 @@ fn rolling_friction(at: &At<'_>) -> Result<RollingFriction, Error> {
 fn rolling_band(at: &At<'_>) -> Result<RollingBand, Error> {
     let fields = at.fields(&["up_to", "friction"])?;
     let mut up_to = f64::INFINITY;
-    fields.number_into("up_to", &Range::positive(" m/s"), &mut up_to)?;
+    fields.number_into("up_to", &BAND_END, &mut up_to)?;
     let friction = fields.require("friction", "the coefficient, such as 0.01")?;
     Ok(RollingBand { up_to, friction: friction.number(&FRICTION)? })
 }
 
-fn ball_ball(at: &At<'_>, law: &mut BallBall) -> Result<(), Error> {
-    let fields = at.fields(&["model", "restitution", "friction", "frequency_ratio"])?;
-    if let Some(at) = fields.get("model") {
-        law.model = at.choice("ball–ball model", BallBallModel::NAMED)?;
-        if law.model == BallBallModel::Elastic {
-            // A user who chooses elastic balls does not expect the base's losses.
-            law.restitution = 1.0;
-        }
-    }
-    fields.number_into("restitution", &FRACTION, &mut law.restitution)?;
-    if let Some(at) = fields.get("friction") {
-        slip_friction(&at, &mut law.friction)?;
-    }
-    fields.number_into("frequency_ratio", &FREQUENCY_RATIO, &mut law.frequency_ratio)
-}
-
-fn slip_friction(at: &At<'_>, friction: &mut SlipFriction) -> Result<(), Error> {
-    if at.is_text() {
-        *friction = at.choice("surface of the balls", &SlipFriction::SURFACES)?;
-        return Ok(());
+/// Reads a number, the name of a surface, or the numbers of a formula over those of the base. A new
+/// model keeps the fits of the base as a whole, because every model takes them: a coefficient alone,
+/// without the others and the limits, would be another rail.
+fn read_fit(at: &At<'_>, fit: &Formula, physics: &mut Physics) -> Result<(), Error> {
+    if let (Some(names), true) = (&fit.names, at.is_text()) {
+        return read_word(at, names, physics);
     }
     if !at.is_object() {
-        *friction = SlipFriction::constant(at.number(&FRICTION)?);
+        fit.set_constant(physics, at.number(&fit.constant)?);
         return Ok(());
     }
-    let fields = at.fields(&["a", "b", "c"])?;
-    fields.number_into("a", &FRICTION, &mut friction.a)?;
-    fields.number_into("b", &Range::any(""), &mut friction.b)?;
-    fields.number_into("c", &Range::not_negative(" s/m"), &mut friction.c)?;
-    if friction.a + friction.b < 0.0 {
-        return Err(at.refuse(
-            format!("the friction a + b at slip speed 0 is {:?}", friction.a + friction.b),
-            "choose a and b with a + b ≥ 0",
-        ));
+    let known: Vec<_> = fit.numbers.iter().map(|n| n.key).collect();
+    let fields = at.fields(&known)?;
+    for n in fit.numbers {
+        fields.number_into(n.key, &n.number.range, (n.number.place)(physics))?;
     }
-    Ok(())
+    match fit.law {
+        FormulaLaw::SlipFriction => check_slip_friction(at, physics),
+        FormulaLaw::CushionRestitution => check_cushion_restitution(at, &fields, physics),
+        FormulaLaw::CushionFriction => Ok(()),
+    }
 }
 
-/// Reads `cushion` over the law of the base. A new model keeps the fits of the base as a whole,
-/// because every model takes them: a coefficient alone, without the others and the limits, would be
-/// another rail.
-fn cushion(at: &At<'_>, law: &mut Cushion) -> Result<(), Error> {
-    let fields = at.fields(&[
-        "model",
-        "restitution",
-        "friction",
-        "frequency_ratio",
-        "tangential_factor",
-        "spin_factor",
-    ])?;
-    if let Some(at) = fields.get("model") {
-        law.model = at.choice("cushion model", CushionModel::NAMED)?;
-    }
-    if let Some(at) = fields.get("restitution") {
-        cushion_restitution(&at, &mut law.restitution)?;
-    }
-    if let Some(at) = fields.get("friction") {
-        cushion_friction(&at, &mut law.friction)?;
-    }
-    fields.number_into("tangential_factor", &FRACTION, &mut law.tangential_factor)?;
-    fields.number_into("spin_factor", &FRACTION, &mut law.spin_factor)?;
-    fields.number_into("frequency_ratio", &FREQUENCY_RATIO, &mut law.frequency_ratio)
-}
-
-fn cushion_restitution(at: &At<'_>, restitution: &mut CushionRestitution) -> Result<(), Error> {
-    if !at.is_object() {
-        *restitution = CushionRestitution::constant(at.number(&FRACTION)?);
+fn check_slip_friction(at: &At<'_>, physics: &Physics) -> Result<(), Error> {
+    let at_rest = physics.ball_ball.friction.a + physics.ball_ball.friction.b;
+    if at_rest >= 0.0 {
         return Ok(());
     }
-    let fields = at.fields(&["a", "b", "c", "lowest", "highest"])?;
-    fields.number_into("a", &Range::any(""), &mut restitution.a)?;
-    fields.number_into("b", &Range::any(" per m/s"), &mut restitution.b)?;
-    fields.number_into("c", &Range::any(" per (m/s)²"), &mut restitution.c)?;
-    fields.number_into("lowest", &FRACTION, &mut restitution.lowest)?;
-    fields.number_into("highest", &FRACTION, &mut restitution.highest)?;
-    let CushionRestitution { lowest, highest, .. } = *restitution;
+    Err(at.refuse(
+        format!("the friction a + b at slip speed 0 is {at_rest:?}"),
+        "choose a and b with a + b ≥ 0",
+    ))
+}
+
+fn check_cushion_restitution(
+    at: &At<'_>,
+    fields: &Fields<'_>,
+    physics: &Physics,
+) -> Result<(), Error> {
+    let restitution = physics.cushion.restitution;
+    let (lowest, highest) = (restitution.lowest, restitution.highest);
     if lowest > highest {
         let (key, other) = if fields.get("lowest").is_some() {
             ("lowest", format!("highest is {highest:?}"))
@@ -212,86 +160,36 @@ fn cushion_restitution(at: &At<'_>, restitution: &mut CushionRestitution) -> Res
             "choose lowest ≤ highest",
         ));
     }
-    if !restitution.is_possible() {
-        return Err(at.refuse(
-            format!("a + bV + cV² is outside [{lowest}, {highest}] at every normal speed V"),
-            "choose a, b and c that give a coefficient of restitution within the limits",
-        ));
-    }
-    Ok(())
-}
-
-fn cushion_friction(at: &At<'_>, friction: &mut CushionFriction) -> Result<(), Error> {
-    if !at.is_object() {
-        *friction = CushionFriction { a: at.number(&FRICTION)?, b: 0.0 };
+    if restitution.is_possible() {
         return Ok(());
     }
-    let fields = at.fields(&["a", "b"])?;
-    fields.number_into("a", &FRICTION, &mut friction.a)?;
-    fields.number_into("b", &Range::any(" per rad"), &mut friction.b)
+    Err(at.refuse(
+        format!("a + bV + cV² is outside [{lowest}, {highest}] at every normal speed V"),
+        "choose a, b and c that give a coefficient of restitution within the limits",
+    ))
 }
 
-fn surface(at: &At<'_>, law: &mut Surface) -> Result<(), Error> {
-    let fields = at.fields(&["restitution", "friction"])?;
-    fields.number_into("restitution", &FRACTION, &mut law.restitution)?;
-    fields.number_into("friction", &FRICTION, &mut law.friction)
-}
-
-fn cue(at: &At<'_>, cue: &mut Cue) -> Result<(), Error> {
-    let fields = at.fields(&[
-        "model",
-        "mass",
-        "end_mass",
-        "tip_radius",
-        "tip_friction",
-        "tip_restitution",
-        "tip_efficiency",
-        "tip_off_centre_loss",
-        "stroke_elevation",
-        "stroke_elevation_deg",
-    ])?;
-    if let Some(at) = fields.get("model") {
-        cue.model = at.choice("strike model", StrikeModel::NAMED)?;
+/// Reads the tip's restitution or efficiency. The base's loss off the centre belongs to the base's tip.
+fn read_tip(fields: &Fields<'_>, physics: &mut Physics) -> Result<(), Error> {
+    let given = TIPS.map(|(key, _, tip)| fields.get(key).map(|at| (at, tip)));
+    if let [Some(_), Some((efficiency, _))] = &given {
+        return Err(efficiency.refuse(
+            "tip_restitution and tip_efficiency describe the same property",
+            "keep one of the two",
+        ));
     }
-    fields.number_into("mass", &MASS, &mut cue.mass)?;
-    fields.number_into("end_mass", &Range::not_negative(" kg"), &mut cue.end_mass)?;
-    fields.number_into("tip_radius", &Range::not_negative(" m"), &mut cue.tip_radius)?;
-    fields.number_into("tip_friction", &FRICTION, &mut cue.tip_friction)?;
-    if let Some(angle) = STROKE_ELEVATION.read(&fields)? {
-        cue.stroke_elevation = angle;
-    }
-    match (fields.get("tip_restitution"), fields.get("tip_efficiency")) {
-        (Some(_), Some(efficiency)) => {
-            return Err(efficiency.refuse(
-                "tip_restitution and tip_efficiency describe the same property",
-                "keep one of the two",
-            ));
-        }
-        (Some(e), None) => {
-            cue.tip = Tip::Restitution(e.number(&FRACTION)?);
-            cue.tip_off_centre_loss = 0.0;
-        }
-        (None, Some(eta)) => {
-            cue.tip = Tip::Efficiency(eta.number(&FRACTION)?);
-            cue.tip_off_centre_loss = 0.0;
-        }
-        (None, None) => {}
+    for (at, tip) in given.into_iter().flatten() {
+        physics.cue.tip = tip(at.number(&FRACTION)?);
+        physics.cue.tip_off_centre_loss = 0.0;
     }
     let Some(loss) = fields.get("tip_off_centre_loss") else { return Ok(()) };
-    cue.tip_off_centre_loss = loss.number(&Range::not_negative(""))?;
-    if matches!(cue.tip, Tip::Efficiency(_)) && cue.tip_off_centre_loss > 0.0 {
+    if matches!(physics.cue.tip, Tip::Efficiency(_)) && loss.number(&Range::any(""))? > 0.0 {
         return Err(loss.refuse(
             "tip_efficiency describes the loss off the centre, too",
             "leave it out, or give tip_restitution instead of tip_efficiency",
         ));
     }
     Ok(())
-}
-
-fn contact_times(at: &At<'_>, times: &mut ContactTimes) -> Result<(), Error> {
-    let fields = at.fields(&["tip", "slate"])?;
-    fields.number_into("tip", &CONTACT_TIME, &mut times.tip)?;
-    fields.number_into("slate", &CONTACT_TIME, &mut times.slate)
 }
 
 /// `physics` as a shot file has it, if `default` is the preset that belongs to the table; `None` if
@@ -309,60 +207,67 @@ impl Physics {
     /// All keys of `physics` as a shot file has them. They read back to the same bits over any
     /// base.
     pub fn to_node(&self) -> Node {
-        write(self)
+        let mut node = Node::object([]);
+        write_values(self, "", &mut node);
+        for (group, _) in GROUPS {
+            let mut values = Node::object([]);
+            write_values(self, group, &mut values);
+            node.set(group, values);
+        }
+        node
     }
 }
 
-fn write(physics: &Physics) -> Node {
-    let Physics { gravity, ball, cloth, ball_ball, cushion, .. } = physics;
-    let Physics { facing, liner, slate, cue, contact_times, .. } = physics;
-    let tip = match cue.tip {
-        Tip::Restitution(e) => ("tip_restitution", e.into()),
-        Tip::Efficiency(eta) => ("tip_efficiency", eta.into()),
-    };
-    let mut cue_node = Node::object([
-        ("model", Node::from(cue.model.name())),
-        ("mass", cue.mass.into()),
-        ("end_mass", cue.end_mass.into()),
-        ("tip_radius", cue.tip_radius.into()),
-        ("tip_friction", cue.tip_friction.into()),
-        tip,
-        ("tip_off_centre_loss", cue.tip_off_centre_loss.into()),
-    ]);
-    STROKE_ELEVATION.write(&mut cue_node, cue.stroke_elevation);
-    Node::object([
-        ("gravity", (*gravity).into()),
-        ("ball", Node::object([("mass", ball.mass.into()), ("radius", ball.radius.into())])),
-        (
-            "cloth",
-            Node::object([
-                ("sliding_friction", cloth.sliding_friction.into()),
-                ("rolling_friction", cloth.rolling_friction.to_node()),
-                ("spin_deceleration", cloth.spin_deceleration.into()),
-            ]),
-        ),
-        (
-            "ball_ball",
-            Node::object([
-                ("model", Node::from(ball_ball.model.name())),
-                ("restitution", ball_ball.restitution.into()),
-                ("friction", write_slip_friction(&ball_ball.friction)),
-                ("frequency_ratio", ball_ball.frequency_ratio.into()),
-            ]),
-        ),
-        ("cushion", write_cushion(cushion)),
-        ("facing", write_surface(facing)),
-        ("liner", write_surface(liner)),
-        ("slate", write_surface(slate)),
-        ("cue", cue_node),
-        (
-            "contact_times",
-            Node::object([
-                ("tip", contact_times.tip.into()),
-                ("slate", contact_times.slate.into()),
-            ]),
-        ),
-    ])
+fn write_values(physics: &Physics, group: &str, node: &mut Node) {
+    for quantity in Quantity::of_group(group) {
+        write_value(physics, quantity, node);
+    }
+}
+
+/// Writes the value into `node`, its group.
+pub(super) fn write_value(physics: &Physics, quantity: &Quantity, node: &mut Node) {
+    let key = quantity.key();
+    match &quantity.shape {
+        QuantityShape::Number(number) => node.set(key, (number.get)(physics)),
+        QuantityShape::Model(_, name) => node.set(key, name(physics)),
+        QuantityShape::Angle(angle) => STROKE_ELEVATION.write(node, (angle.get)(physics)),
+        QuantityShape::Bands => node.set(key, physics.cloth.rolling_friction.to_node()),
+        QuantityShape::Tip => match physics.cue.tip {
+            Tip::Restitution(e) => node.set(TIPS[0].0, e),
+            Tip::Efficiency(eta) => node.set(TIPS[1].0, eta),
+        },
+        QuantityShape::Formula(fit) => match fit.as_constant(physics) {
+            Some(coefficient) => node.set(key, coefficient),
+            None => node.set(key, write_numbers(physics, fit)),
+        },
+    }
+}
+
+/// All numbers of a formula, because a base may have others.
+fn write_numbers(physics: &Physics, fit: &Formula) -> Node {
+    let mut numbers = Node::object([]);
+    for n in fit.numbers {
+        numbers.set(n.key, (n.number.get)(physics));
+    }
+    numbers
+}
+
+/// All keys of `physics`. Where the file's own `physics` has the name of a surface or a formula, the
+/// value has this form too.
+pub(super) fn write_as_given(physics: &Physics, own: &Node) -> Node {
+    let mut node = physics.to_node();
+    for quantity in QUANTITIES {
+        let QuantityShape::Formula(fit) = &quantity.shape else { continue };
+        let form = match own.get(quantity.group()).and_then(|group| group.get(quantity.key())) {
+            Some(name @ Node::Text(_)) => name.clone(),
+            Some(Node::Object(_)) => write_numbers(physics, fit),
+            _ => continue,
+        };
+        if let Some(group) = node.get_mut(quantity.group()) {
+            group.set(quantity.key(), form);
+        }
+    }
+    node
 }
 
 impl RollingFriction {
@@ -380,38 +285,4 @@ impl RollingFriction {
             band
         }))
     }
-}
-
-fn write_surface(law: &Surface) -> Node {
-    Node::object([("restitution", law.restitution.into()), ("friction", law.friction.into())])
-}
-
-fn write_slip_friction(friction: &SlipFriction) -> Node {
-    let SlipFriction { a, b, c } = *friction;
-    if b == 0.0 && c == 0.0 {
-        return a.into();
-    }
-    Node::object([("a", a.into()), ("b", b.into()), ("c", c.into())])
-}
-
-fn write_cushion(cushion: &Cushion) -> Node {
-    let CushionRestitution { a, b, c, lowest, highest } = cushion.restitution;
-    let restitution = if cushion.restitution.is_constant() {
-        a.into()
-    } else {
-        // The limits too, because a base may have others.
-        let numbers = [("a", a), ("b", b), ("c", c), ("lowest", lowest), ("highest", highest)];
-        Node::object(numbers.map(|(key, x)| (key, x.into())))
-    };
-    let CushionFriction { a, b } = cushion.friction;
-    let friction =
-        if b == 0.0 { a.into() } else { Node::object([("a", a.into()), ("b", b.into())]) };
-    Node::object([
-        ("model", Node::from(cushion.model.name())),
-        ("restitution", restitution),
-        ("friction", friction),
-        ("frequency_ratio", cushion.frequency_ratio.into()),
-        ("tangential_factor", cushion.tangential_factor.into()),
-        ("spin_factor", cushion.spin_factor.into()),
-    ])
 }

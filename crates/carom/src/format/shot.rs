@@ -109,6 +109,13 @@ impl ShotFile {
         }
     }
 
+    /// All values of the physics, merged over its base. A coefficient that the file gives as a formula
+    /// or by the name of a surface keeps this form.
+    pub fn physics_node(&self) -> Node {
+        let own = self.source.as_ref().and_then(|source| source.get("physics"));
+        physics::write_as_given(self.shot.physics(), own.unwrap_or(&Node::Null))
+    }
+
     /// The name of the physics preset that belongs to the table: that of a file without `physics`.
     pub fn physics_of_table(&self) -> String {
         table::write(self.shot.table()).1

@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 use super::{Game, USUAL_GAP};
 use crate::error::Error;
 use crate::format::Node;
-use crate::physics::sources::Evidence;
+use crate::physics::Evidence;
 
 /// Where the cue ball is on the head string. In snooker and three-cushion it is where the rack puts it.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -7,6 +7,7 @@ use alloc::vec::Vec;
 use core::ops::Deref;
 
 use super::PlacedBall;
+use crate::ball::{MASS, RADIUS};
 use crate::error::Error;
 use crate::limits::MAX_BALLS;
 use crate::math::{Vec3, sqrt};
@@ -19,11 +20,6 @@ const LARGEST_SPEED: f64 = 100.0;
 /// Largest spin of a ball, rad/s. A tip at the miscue limit gives a ball of 30 m/s about 1300
 /// rad/s.
 const LARGEST_SPIN: f64 = 10_000.0;
-
-/// A ball's mass.
-pub(crate) const MASS: Range = Range::positive(" kg");
-/// A ball's radius.
-pub(crate) const RADIUS: Range = Range::positive(" m");
 
 /// Balls that have room on a table, with the heights and motion states that a simulation starts
 /// from.

@@ -16,7 +16,7 @@ use alloc::string::String;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 
-pub(crate) use balls::{CheckedBalls, MASS, RADIUS, checked as checked_balls, fits};
+pub(crate) use balls::{CheckedBalls, checked as checked_balls, fits};
 pub use cling::{Cling, MOST_CONTACTS};
 pub use cue_pose::{CueClearance, CuePose};
 pub use obstruction::{BallInSpace, Touched};

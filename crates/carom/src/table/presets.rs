@@ -10,17 +10,7 @@ use crate::edition::{self, Edition};
 
 /// Names of the presets, without dates, in the order in which `carom tables` lists them.
 /// [`edition::TABLES`] also has the dated names.
-pub const PRESETS: [&str; 9] = [
-    "wpa-9ft",
-    "wpa-8ft",
-    "bar-7ft",
-    "showood-7ft",
-    "snooker-12ft",
-    "english-7ft",
-    "carom-10ft",
-    "carom-9ft",
-    "poolfiz",
-];
+pub const PRESETS: [&str; 9] = edition::undated(edition::TABLES);
 
 const WPA: Source = Source::RuleBook("WPA equipment specifications");
 const WPBSA: Source = Source::RuleBook("WPBSA rules of snooker, section 1");

@@ -9,6 +9,7 @@ mod lossless;
 mod obstruction;
 mod rack_rules;
 mod ranges;
+mod reference;
 mod refusals;
 mod repair;
 mod schema;

@@ -4,7 +4,7 @@ use super::directions::Directions;
 use super::spring::SpringState;
 use super::{STILL, WallTouch, larger, smaller};
 use crate::math::{Vec2, Vec3, sqrt};
-use crate::physics::{BallBall, BallBallModel, SlipFriction};
+use crate::physics::{BallBall, SlipFriction};
 use crate::resolve::ball_ball::contact::TANGENT_COMPLIANCE;
 
 /// μ is computed again when the slip has grown by this fraction of the fastest approach. Between,
@@ -59,7 +59,7 @@ pub(super) struct GripStep<'a> {
 impl Grip {
     /// Friction between balls.
     pub(super) fn of_balls(law: &BallBall) -> Self {
-        let sprung = law.model == BallBallModel::Compliant;
+        let sprung = law.model.traits().spring;
         Self {
             rubs: !law.is_smooth(),
             stiffness: grip_stiffness(sprung.then_some(law.frequency_ratio)),
