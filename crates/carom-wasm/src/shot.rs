@@ -51,6 +51,11 @@ impl Shot {
         self.0.table().to_node().to_json()
     }
 
+    /// All values of the physics as JSON, in the form of the file.
+    pub fn physics(&self) -> String {
+        self.0.physics_node().to_json()
+    }
+
     /// The balls' ids, in the order of the file.
     pub fn ids(&self) -> Vec<String> {
         self.0.balls().iter().map(|b| b.id.clone()).collect()

@@ -310,6 +310,7 @@ class WasmShot implements Shot {
   readonly handle: Handle<wasm.Shot>;
   #file: ShotFile | undefined;
   #geometry: Geometry | undefined;
+  #physics: Shot["physics"] | undefined;
   #balls: readonly BallInfo[] | undefined;
 
   constructor(shot: wasm.Shot) {
@@ -335,6 +336,10 @@ class WasmShot implements Shot {
 
   get geometry() {
     return (this.#geometry ??= JSON.parse(this.handle.object.geometry()) as Geometry);
+  }
+
+  get physics() {
+    return (this.#physics ??= JSON.parse(this.handle.object.physics()) as Shot["physics"]);
   }
 
   get balls() {

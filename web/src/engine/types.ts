@@ -439,6 +439,11 @@ export interface Shot {
   /** The shot file as JSON; its numbers are exactly those that were read. */
   json(): string;
   readonly geometry: Geometry;
+  /**
+   * All values of the physics by their keys in a shot file. A coefficient that the file gives as a formula
+   * or by the name of a surface keeps this form.
+   */
+  readonly physics: Readonly<Record<string, unknown>>;
   readonly balls: readonly BallInfo[];
   /** The struck ball's index, or null without a strike. */
   readonly struck: number | null;

@@ -1,26 +1,16 @@
 /** Kinds in which a quantity may be given: as a number, or by speed or angle; and changes of the kind. */
 
-import {
-  type Parameter,
-  type Part,
-  QUANTITY,
-  quantitySchema,
-  valueAt,
-  type Values,
-} from "./parameters.ts";
+import { type Parameter, QUANTITY, type Schema, valueAt, type Values } from "./parameters.ts";
 import { t } from "../words/translate.ts";
 
 /** A number; numbers of a formula, such as a + bV; a list of speed bands; or the name of a surface. */
 export type Kind = "number" | "fit" | "bands" | "name";
 
-/** The coefficient of a quantity of the present physics at a speed or an angle. */
-export type Coefficient = (key: string) => number;
+/** The coefficient of a quantity of the present physics at a middle speed or angle. */
+export type Coefficient = (key: string, argument: "speed" | "angle") => number;
 
 /** End of the first of two new bands, m/s: about the middle of the speeds at which balls roll. */
 const FIRST_END = 1;
-
-/** Quantities that depend on the angle of incidence, not on a speed. */
-const BY_ANGLE: readonly string[] = ["cushion.friction"];
 
 const WORDS = {
   number: "kind.number",
@@ -29,9 +19,9 @@ const WORDS = {
   name: "kind.by-surface",
 } as const;
 
-/** The kind in words. */
-export function kindLabel(path: readonly string[], kind: Kind): string {
-  return t(kind === "fit" && BY_ANGLE.includes(path.join(".")) ? "kind.by-angle" : WORDS[kind]);
+/** The kind in words, for a quantity by its schema. */
+export function kindLabel(schema: Schema, kind: Kind): string {
+  return t(kind === "fit" && schema.argument === "angle" ? "kind.by-angle" : WORDS[kind]);
 }
 
 /** The kind of a value; null if it has none. */
@@ -48,16 +38,11 @@ export function quantityOf({ path }: Parameter): readonly string[] {
 }
 
 /**
- * The kinds in which the quantity at `path` may be given; empty if there is only one. The names of
- * surfaces are offered only where a file has one, because a preset has its numbers.
+ * The kinds in which a quantity may be given; empty if there is only one. The names of surfaces are
+ * offered only where a file has one, because a preset has its numbers.
  */
-export function kinds(
-  schema: object,
-  part: Part,
-  path: readonly string[],
-  present: unknown,
-): readonly Kind[] {
-  const choices = quantitySchema(schema, part, path)?.oneOf ?? [];
+export function kinds(schema: Schema | undefined, present: unknown): readonly Kind[] {
+  const choices = schema?.oneOf ?? [];
   const found = choices.flatMap(({ type, enum: names }): Kind[] => {
     if (names) return kindOf(present) === "name" ? ["name"] : [];
     if (type === "number") return ["number"];
@@ -73,10 +58,9 @@ export function kinds(
  *
  * @param now The present values.
  * @param base The values of the preset.
- * @param coefficient The engine's coefficient of the quantity at a middle speed or angle.
  */
 export function inKind(
-  path: readonly string[],
+  [path, schema]: readonly [path: readonly string[], schema: Schema],
   kind: Kind,
   { now, base }: { readonly now: Values; readonly base: Values },
   coefficient: Coefficient,
@@ -84,15 +68,15 @@ export function inKind(
   const [present, usual] = [valueAt(now, path), valueAt(base, path)];
   if (kindOf(present) === kind) return present;
   if (kindOf(usual) === kind) return usual;
-  const number = typeof present === "number" ? present : coefficient(path.join("."));
+  const number =
+    typeof present === "number" ? present : coefficient(path.join("."), schema.argument ?? "speed");
   if (kind === "bands") return [{ up_to: FIRST_END, friction: number }, { friction: number }];
-  if (kind === "fit") return { ...FLAT[path.join(".")], a: number };
+  if (kind === "fit") return { ...flat(schema), a: number };
   return number;
 }
 
-/** The other numbers of a fit that does not depend on speed or angle. */
-const FLAT: Readonly<Record<string, Values>> = {
-  "ball_ball.friction": { a: 0, b: 0, c: 0 },
-  "cushion.restitution": { a: 0, b: 0, c: 0, lowest: 0, highest: 1 },
-  "cushion.friction": { a: 0, b: 0 },
-};
+/** The numbers of a fit that does not depend on speed or angle. */
+function flat({ oneOf }: Schema): Values {
+  const numbers = oneOf?.find(({ type }) => type === "object")?.properties ?? {};
+  return Object.fromEntries(Object.entries(numbers).map(([key, number]) => [key, number.flat]));
+}

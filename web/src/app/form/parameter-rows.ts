@@ -16,6 +16,7 @@ import {
   label,
   parameters,
   QUANTITY,
+  quantitySchema,
   valueAt,
   withoutValue,
   withValue,
@@ -159,9 +160,10 @@ export function mountParameters(
   /** The control that chooses between a number and numbers by speed; null if there is no choice. */
   function kindRow(path: readonly string[]): HTMLElement | null {
     const { coefficient } = subject;
-    const choices = kinds(schema, part, path, valueAt(subject.now(), path));
-    if (!coefficient || path.length < QUANTITY || choices.length === 0) return null;
-    const options = choices.map((kind) => h("option", { value: kind }, kindLabel(path, kind)));
+    const quantity = quantitySchema(schema, part, path);
+    const choices = kinds(quantity, valueAt(subject.now(), path));
+    if (!coefficient || !quantity || choices.length === 0) return null;
+    const options = choices.map((kind) => h("option", { value: kind }, kindLabel(quantity, kind)));
     const id = uniqueId("kind");
     const select = h("select", { id, "data-kind": path.join(".") }, ...options);
     const write = (value: unknown) => {
@@ -175,7 +177,7 @@ export function mountParameters(
     };
     select.addEventListener("change", () => {
       const values = { now: subject.now(), base: subject.base() };
-      write(inKind(path, select.value as Kind, values, coefficient));
+      write(inKind([path, quantity], select.value as Kind, values, coefficient));
     });
     const label = t("parameter.reset-kind", { name: nameOfPath(path) });
     const reset = () => {
@@ -222,7 +224,7 @@ export function mountParameters(
         "div",
         { class: "row" },
         input,
-        h("span", { class: "unit" }, unit === "degrees" ? "°" : unit),
+        h("span", { class: "unit" }, unit === "deg" ? "°" : unit),
         back(t("parameter.reset-named", { name }), reset),
       ),
       h("p", { class: hintAgain ? "hint unseen" : "hint", id: `${input.id}-hint` }, description),

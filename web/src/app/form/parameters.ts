@@ -29,10 +29,13 @@ export interface Schema {
   readonly items?: Schema;
   readonly oneOf?: readonly Schema[];
   readonly $ref?: string;
+  /** Of a number. */
+  readonly unit?: string;
+  /** What a coefficient may depend on. */
+  readonly argument?: "speed" | "angle";
+  /** Of a number of a fit: its value where the coefficient is the same at every speed or angle. */
+  readonly flat?: number;
 }
-
-/** A unit at the end of a schema description, before punctuation. */
-const UNIT = /(?:^|, )(kg|m\/s²|m\/s|rad\/s²|s\/m|m|s|degrees)(?=[.,:;]|$)/;
 
 /** Keys of the path of a quantity: its group's and its own. */
 export const QUANTITY = 2;
@@ -75,7 +78,8 @@ function collect(
 ): Parameter[] {
   const description = hint(source.part, path);
   const quantity = path.length === QUANTITY ? description : above;
-  const unit = UNIT.exec(schema.description ?? "")?.[1] ?? "";
+  // A unit in words, such as that of a slope, is in the hint.
+  const unit = schema.unit?.includes(" ") ? "" : (schema.unit ?? "");
   const common = { path, description, unit, choices: [], quantity: above };
   if (schema.enum && value !== undefined) {
     return [{ ...common, kind: "choice", choices: schema.enum }];
@@ -144,24 +148,6 @@ export function isChanged(changes: Values, base: Values, path: readonly string[]
   const written = writtenPath(changes, path);
   const [own, usual] = [valueAt(changes, written), valueAt(base, written)];
   return own !== undefined && usual !== undefined && JSON.stringify(own) !== JSON.stringify(usual);
-}
-
-/** `base` with the values of `changes` merged into it, as the engine merges them. */
-export function merged(base: Values, changes: Values): Values {
-  const out: Record<string, unknown> = { ...base };
-  for (const [key, value] of Object.entries(changes)) {
-    if (key === "base") continue;
-    const below = out[key];
-    const both = typeof value === "object" && value !== null && !Array.isArray(value);
-    out[key] = both ? merged(asObject(below), value as Values) : value;
-  }
-  return out;
-}
-
-/** A value as an object; a plain number becomes a fit with that constant coefficient. */
-function asObject(value: unknown): Values {
-  if (typeof value === "number") return { a: value };
-  return typeof value === "object" && value !== null ? (value as Values) : {};
 }
 
 /** The label of a parameter within its group, or within the fit or list that it belongs to. */

@@ -1,6 +1,6 @@
 /** Cloth, balls and rails as players name them, and the physics that a choice of them gives. */
 
-import { merged, type Values, valueAt, withValue } from "../form/parameters.ts";
+import { type Values, valueAt, withValue } from "../form/parameters.ts";
 
 /** What a player can choose. */
 export const TABLE_PARTS = ["cloth", "balls", "rails"] as const;
@@ -76,19 +76,18 @@ export function chosen(part: TablePart, now: Values, { presets, base }: Origin):
 /**
  * The physics of a shot file after a choice. Everything but the part stays as it is.
  *
- * @param physics The present physics of the file.
+ * @param now The present values of the physics.
  * @param own The preset of the table.
  * @returns Undefined for the table's own physics; the name of a preset that has all the values; or the
  * values that differ from the nearest preset of the family.
  */
 export function withChoice(
-  physics: string | Values | undefined,
+  now: Values,
   [part, condition]: readonly [TablePart, string],
   { presets, base, own }: Origin & { readonly own: string },
 ): string | Values | undefined {
   const { key } = PARTS[part];
   const family = familyOf(base, presets);
-  const now = merged(presets[base] ?? {}, typeof physics === "object" ? physics : {});
   const next = { ...now, [key]: presets[presetOf(family, condition)]?.[key] };
   const near = TABLE_PARTS.flatMap((one) => offered(one, family, presets))
     .map((one) => presetOf(family, one))
@@ -113,7 +112,7 @@ function withNumbers(values: Values, family: string, presets: Presets): Values {
   return preset ? withValue(values, SURFACE, valueAt(preset, SURFACE)) : values;
 }
 
-/** The values of `to` that `from` does not have, so that `merged(from, …)` is `to`. */
+/** The values of `to` that `from` does not have, so that they over `from` are `to`. */
 function difference(from: Values, to: Values): Values {
   return Object.fromEntries(
     Object.entries(to).flatMap(([key, value]) => {

@@ -10,7 +10,7 @@ import { h, setText, uniqueId } from "../common/dom.ts";
 import { nameOfPath } from "../common/parameter-names.ts";
 import { presetLabel, presetOptions } from "../common/preset-names.ts";
 import { mountParameters } from "../form/parameter-rows.ts";
-import { merged, type Values } from "../form/parameters.ts";
+import type { Values } from "../form/parameters.ts";
 import type { Store } from "../document/store.ts";
 import { round } from "../common/units.ts";
 import { named, t } from "../words/translate.ts";
@@ -26,8 +26,7 @@ import {
 } from "./choices.ts";
 
 /** Speed (m/s) and angle (rad) at which a coefficient becomes a number: a soft shot, half a right angle. */
-const MIDDLE_SPEED = 1;
-const MIDDLE_ANGLE = Math.PI / 4;
+const MIDDLE = { speed: 1, angle: Math.PI / 4 };
 
 /** Digits of that number: measurements have fewer. */
 const DIGITS = 4;
@@ -38,7 +37,7 @@ const TABLES_OWN = "";
 export function mountPhysicsPanel(root: HTMLElement, store: Store, { engine }: Context): void {
   const source = new FilePhysics(store, engine);
   root.append(h("h2", {}, t("physics.title")));
-  const showChoices = mountChoices(root, store, source);
+  const showChoices = mountChoices(root, source);
   const numbers = h("details", {}, h("summary", {}, t("physics.numbers")));
   root.append(numbers);
   const showNumbers = mountNumbers(numbers, store, source);
@@ -90,7 +89,7 @@ class FilePhysics {
   }
 
   get values(): Values {
-    return merged(this.baseValues, this.changes);
+    return this.#store.shot.physics;
   }
 
   /** Writes the physics, or none for the table's own. @returns Whether it was accepted. */
@@ -107,15 +106,14 @@ class FilePhysics {
 }
 
 /** The lists of conditions. @returns Shows the present ones. */
-function mountChoices(root: HTMLElement, store: Store, source: FilePhysics): () => void {
+function mountChoices(root: HTMLElement, source: FilePhysics): () => void {
   const { physics: presets } = source.engine;
   const rows = TABLE_PARTS.map((part) => {
     const select = h("select", { id: uniqueId("condition") });
     select.addEventListener("change", () => {
-      const { base, tables: own } = source;
-      const { physics } = store.document.shot;
+      const { base, tables: own, values } = source;
       const choice = [part, select.value] as const;
-      if (!source.write(withChoice(physics, choice, { presets, base, own }))) show();
+      if (!source.write(withChoice(values, choice, { presets, base, own }))) show();
     });
     const label = h("label", { for: select.id }, t(`physics.${part}`));
     const row = h("div", { class: "labelled" }, label, select);
@@ -190,10 +188,8 @@ function mountNumbers(root: HTMLElement, store: Store, source: FilePhysics): () 
         t("change.parameter", { name: nameOfPath(path) }),
         `physics ${path.join(".")}`,
       ),
-    coefficient: (key) => {
-      const at = key === "cushion.friction" ? MIDDLE_ANGLE : MIDDLE_SPEED;
-      return round(store.shot.coefficientAt(key as CoefficientKey, at), DIGITS);
-    },
+    coefficient: (key, argument) =>
+      round(store.shot.coefficientAt(key as CoefficientKey, MIDDLE[argument]), DIGITS),
     open: ["cloth"],
   });
 

@@ -1,17 +1,26 @@
 import { expect, test } from "vitest";
 import { type CoefficientKey, load } from "../../../src/engine/index.ts";
 import { inKind, type Kind, kindLabel, kindOf, kinds } from "../../../src/app/form/kinds.ts";
-import { merged, type Values, valueAt, withValue } from "../../../src/app/form/parameters.ts";
+import {
+  quantitySchema,
+  type Schema,
+  type Values,
+  valueAt,
+  withValue,
+} from "../../../src/app/form/parameters.ts";
 
 const engine = await load();
 const schema = engine.schema("shot");
 
-const QUANTITIES = [
-  ["cloth", "rolling_friction"],
-  ["ball_ball", "friction"],
-  ["cushion", "restitution"],
-  ["cushion", "friction"],
-] as const;
+const KEYS = [
+  "cloth.rolling_friction",
+  "ball_ball.friction",
+  "cushion.restitution",
+  "cushion.friction",
+] as const satisfies readonly CoefficientKey[];
+const QUANTITIES = KEYS.map((key) => key.split("."));
+
+const of = (path: readonly string[]): Schema => quantitySchema(schema, "physics", path)!;
 
 /** The engine's shot with changes of the physics over a preset. */
 function shotWith(base: string, changes: Values) {
@@ -26,9 +35,19 @@ function shotWith(base: string, changes: Values) {
 const at = (base: string, changes: Values, key: string, speed: number) =>
   shotWith(base, changes).coefficientAt(key as CoefficientKey, speed);
 
+test("the coefficients are those of the schema that may depend on a speed or an angle", () => {
+  const { properties } = quantitySchema(schema, "physics", [])!;
+  const found = Object.entries(properties!).flatMap(([group, { properties: inner }]) =>
+    Object.entries(inner ?? {}).flatMap(([key, { argument }]) =>
+      argument ? [`${group}.${key}`] : [],
+    ),
+  );
+  expect(found).toEqual(KEYS);
+});
+
 test("every quantity of the schema that is a number or something else has a control", () => {
   const offered = (path: readonly string[], present: unknown = 0.1) =>
-    kinds(schema, "physics", path, present).map((kind) => kindLabel(path, kind));
+    kinds(of(path), present).map((kind) => kindLabel(of(path), kind));
   expect(offered(["cloth", "rolling_friction"])).toEqual(["as a number", "by speed"]);
   expect(offered(["ball_ball", "friction"])).toEqual(["as a number", "by speed"]);
   expect(offered(["ball_ball", "friction"], "used")).toEqual([
@@ -48,8 +67,8 @@ test("another kind is the preset's value, or the same coefficient at every speed
       const key = path.join(".");
       const coefficient = () => at(name, {}, key, 1);
       const own = kindOf(valueAt(base, path))!;
-      for (const kind of kinds(schema, "physics", path, valueAt(base, path))) {
-        const value = inKind(path, kind, { now: base, base }, coefficient);
+      for (const kind of kinds(of(path), valueAt(base, path))) {
+        const value = inKind([path, of(path)], kind, { now: base, base }, coefficient);
         expect(kindOf(value), `${name} ${key} ${kind}`).toBe(kind);
         const changes = withValue({}, path, value);
         // The engine accepts it, and finds the preset's law or a constant.
@@ -57,8 +76,8 @@ test("another kind is the preset's value, or the same coefficient at every speed
           const expected = kind === own ? at(name, {}, key, speed) : coefficient();
           expect(at(name, changes, key, speed), `${name} ${key} ${kind}`).toBeCloseTo(expected, 12);
         }
-        const now = merged(base, changes);
-        const back = inKind(path, own, { now, base }, coefficient);
+        const now = shotWith(name, changes).physics;
+        const back = inKind([path, of(path)], own, { now, base }, coefficient);
         expect(back).toEqual(valueAt(base, path));
       }
     }
@@ -68,8 +87,8 @@ test("another kind is the preset's value, or the same coefficient at every speed
 test("a number of the file, not of the preset, becomes a fit or bands", () => {
   const base = engine.physics["pool-2026-11"]!;
   const become = (path: readonly string[], kind: Kind) => {
-    const now = merged(base, withValue({}, path, 0.3));
-    return inKind(path, kind, { now, base }, () => NaN);
+    const now = shotWith("pool-2026-11", withValue({}, path, 0.3)).physics;
+    return inKind([path, of(path)], kind, { now, base }, () => NaN);
   };
   expect(become(["cushion", "restitution"], "fit")).toEqual({
     a: 0.3,
@@ -88,17 +107,20 @@ test("a number of the file, not of the preset, becomes a fit or bands", () => {
 test("a fit of the file over a number of the preset becomes the preset's number", () => {
   const base = engine.physics["pool-2026-11"]!;
   const path = ["cushion", "restitution"];
-  const now = merged(base, { cushion: { restitution: { a: 1, b: -0.1, c: 0 } } });
-  expect(inKind(path, "number", { now, base }, () => NaN)).toBe(valueAt(base, path));
+  const changes = { cushion: { restitution: { a: 1, b: -0.1, c: 0 } } };
+  const now = shotWith("pool-2026-11", changes).physics;
+  expect(inKind([path, of(path)], "number", { now, base }, () => NaN)).toBe(valueAt(base, path));
 });
 
 test("a named surface becomes its number at the middle speed", () => {
   const base = engine.physics.pool!;
   const path = ["ball_ball", "friction"];
   const changes = { ball_ball: { friction: "dirty" } };
-  const now = merged(base, changes);
+  const now = shotWith("pool", changes).physics;
   expect(kindOf(valueAt(now, path))).toBe("name");
-  const number = inKind(path, "number", { now, base }, (key) => at("pool", changes, key, 1));
+  const number = inKind([path, of(path)], "number", { now, base }, (key) =>
+    at("pool", changes, key, 1),
+  );
   expect(number).toBeCloseTo(0.1393 * Math.exp(-0.455), 12);
 });
 

@@ -4,7 +4,6 @@ import { title } from "../../../src/app/common/parameter-names.ts";
 import {
   isChanged,
   label,
-  merged,
   parameters,
   type Values,
   valueAt,
@@ -31,7 +30,7 @@ function leaves(values: object, above: readonly string[] = []): string[] {
   );
 }
 
-test("units come from the schema's descriptions", () => {
+test("units come from the schema", () => {
   const units = new Map(
     parameters(schema, "physics", engine.physics.pool!).map(({ path, unit }) => [
       path.join("."),
@@ -86,18 +85,43 @@ test("of physics that a game writes in full, only the changed value is marked", 
   expect(marked.map(({ path }) => path.join("."))).toEqual(["cloth.sliding_friction"]);
 });
 
-test("changes are merged over their base as the engine merges them", () => {
-  const now = merged(engine.physics.pool!, { base: "pool", cloth: { rolling_friction: 0.02 } });
+/** The engine's values of the physics with changes over `pool`. */
+const valuesWith = (changes: Values): Values =>
+  engine.shot({
+    format: "carom-shot/1",
+    table: { cloth: "unbounded" },
+    physics: { base: "pool", ...changes },
+    balls: [{ id: "cue", position: [0, 0] }],
+  }).physics;
+
+test("the values of a shot are the file's own over those of the base", () => {
+  const now = valuesWith({ cloth: { rolling_friction: 0.02 } });
   expect(valueAt(now, ["cloth", "rolling_friction"])).toBe(0.02);
   expect(valueAt(now, ["cloth", "sliding_friction"])).toBe(
     valueAt(engine.physics.pool!, ["cloth", "sliding_friction"]),
   );
 });
 
+test("elastic balls have no losses, and a tip has one of its two properties", () => {
+  const now = valuesWith({ ball_ball: { model: "elastic" }, cue: { tip_efficiency: 0.8 } });
+  expect(valueAt(now, ["ball_ball", "restitution"])).toBe(1);
+  expect(valueAt(now, ["cue", "tip_efficiency"])).toBe(0.8);
+  expect(valueAt(now, ["cue", "tip_restitution"])).toBeUndefined();
+});
+
+test("a coefficient has the form that the file gives", () => {
+  const path = ["cushion", "friction"];
+  const formula = valuesWith({ cushion: { friction: { a: 0.2, b: 0 } } });
+  expect(valueAt(formula, path)).toEqual({ a: 0.2, b: 0 });
+  expect(valueAt(valuesWith({ cushion: { friction: 0.2 } }), path)).toBe(0.2);
+  const surface = valuesWith({ ball_ball: { friction: "dirty" } });
+  expect(valueAt(surface, ["ball_ball", "friction"])).toBe("dirty");
+});
+
 const BANDS = [{ up_to: 0.5, friction: 0.008 }, { friction: 0.012 }];
 
 test("speed bands have a row for each number, with its unit", () => {
-  const now = merged(engine.physics.pool!, { cloth: { rolling_friction: BANDS } });
+  const now = valuesWith({ cloth: { rolling_friction: BANDS } });
   const rows = parameters(schema, "physics", now).filter(({ path }) => path.length > 2);
   const bands = rows.filter(({ path }) => path[1] === "rolling_friction");
   expect(bands.map(({ path, unit }) => [path.slice(2).join("."), unit])).toEqual([

@@ -32,7 +32,7 @@ test("every dimension has its unit", () => {
       .filter(({ kind }) => kind === "number")
       .map(({ path, unit }) => `${unit} ${path.at(-1) === "cut_angle_deg"}`),
   );
-  expect(units).toEqual(new Set(["m false", "degrees true"]));
+  expect(units).toEqual(new Set(["m false", "deg true"]));
 });
 
 test("markings move in proportion to the size of the table", () => {

@@ -10,7 +10,7 @@ import {
   USUAL,
   withChoice,
 } from "../../../src/app/physics/choices.ts";
-import { merged, type Values, valueAt } from "../../../src/app/form/parameters.ts";
+import { type Values, valueAt } from "../../../src/app/form/parameters.ts";
 
 const engine = await load();
 const presets = engine.physics;
@@ -21,13 +21,12 @@ const baseOf = (physics: Physics, own: string): string => {
   const name = typeof physics === "object" ? physics.base : physics;
   return typeof name === "string" ? engine.currentPresetName(name) : own;
 };
-const valuesOf = (physics: Physics, own = "pool"): Values =>
-  merged(presets[baseOf(physics, own)]!, typeof physics === "object" ? physics : {});
+const valuesOf = (physics: Physics): Values => shotWith(physics).physics;
 const choose = (physics: Physics, part: TablePart, condition: string, own = "pool"): Physics =>
-  withChoice(physics, [part, condition], { presets, base: baseOf(physics, own), own });
-const present = (physics: Physics, own = "pool") =>
+  withChoice(valuesOf(physics), [part, condition], { presets, base: baseOf(physics, own), own });
+const present = (physics: Physics) =>
   TABLE_PARTS.map((part) =>
-    chosen(part, valuesOf(physics, own), { presets, base: baseOf(physics, own) }),
+    chosen(part, valuesOf(physics), { presets, base: baseOf(physics, "pool") }),
   );
 
 /** A shot that meets a ball and cushions, so that every part counts. */
