@@ -156,6 +156,14 @@ pub(crate) struct Aimed {
     pub slope: f64,
 }
 
+/// A strike with which the aiming along a line starts.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct AimStart {
+    pub strike: Strike,
+    /// Change of the miss per azimuth, m per rad, as far as is known.
+    pub slope: f64,
+}
+
 /// The azimuth at which `start` sends the object ball of `line` into its pocket: changes the
 /// azimuth until it does, or until no more simulations are allowed. Returns the best strike and
 /// counts the simulations in `plays`. The last simulation in `sampler` is that of the returned
@@ -167,10 +175,10 @@ pub(crate) fn aim(
     sampler: &mut Sampler,
     prepared: &Prepared<'_>,
     line: &Line,
-    start: (Strike, f64),
+    start: AimStart,
     plays: &mut u64,
 ) -> Result<Option<Aimed>, Error> {
-    let (mut strike, mut slope) = start;
+    let AimStart { mut strike, mut slope } = start;
     let close = CLOSE * line.tolerance * line.slope.abs();
     let mut before: Option<(f64, f64)> = None;
     for round in 1..=MOST_PLAYS {

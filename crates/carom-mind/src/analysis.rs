@@ -8,7 +8,7 @@ use carom_plan::{Chance, Moments};
 use carom_rules::{BallIndex, Play};
 
 use crate::player::{Budget, Situation, Spent};
-use crate::search::{Candidate, PlayKind, PlayedLeg, PlayedVariant, Rounds};
+use crate::search::{Candidate, PlayKind, PlayedLeg, PlayedVariant, ShotSearch};
 use crate::searcher::Searcher;
 
 /// One of the plays that a search recommends, with its chances.
@@ -61,23 +61,20 @@ impl Searcher {
         budget: &Budget<'_>,
         count: usize,
     ) -> Result<Analysis, Error> {
-        let mut rounds = self.begin(situation, budget, count)?;
-        while self.play_round(&mut rounds, situation, budget)? {}
-        self.analysis(rounds, situation, budget)
+        let mut search = self.search(situation, budget, count)?;
+        while search.play_round()? {}
+        search.analysis()
     }
+}
 
-    /// The best plays that the rounds of a search have found, at most the number that [`Self::begin`] got.
+impl ShotSearch<'_> {
+    /// The best plays that the rounds have found, at most the number that [`Searcher::search`] got.
     ///
     /// # Errors
     /// As [`Self::play_round`].
-    pub fn analysis(
-        &self,
-        mut rounds: Rounds,
-        situation: &Situation<'_>,
-        budget: &Budget<'_>,
-    ) -> Result<Analysis, Error> {
-        self.name(&mut rounds, situation, budget)?;
-        let found = self.found(rounds, situation, budget)?;
+    pub fn analysis(mut self) -> Result<Analysis, Error> {
+        self.name_plays()?;
+        let found = self.found()?;
         let mut plays: Vec<Recommendation> = found
             .candidates
             .iter()

@@ -19,6 +19,7 @@ mod searcher;
 mod settings;
 pub mod targets;
 pub mod value;
+mod workbench;
 
 pub use analysis::{Analysis, Recommendation};
 pub use level::{LEVELS, Level};

@@ -167,7 +167,7 @@ pub fn straight_to_pocket(
     let is_clear = scene.is_clear(cue.center, contact.ghost, cue.radius, &except)
         && scene.is_clear(object.center, target, object.radius, &except);
     let goes = TwoLegs { contact, window, target, way: contact.way };
-    is_clear.then(|| goes.line(LineKind::Direct, (cue.index, object.index), pocket))
+    is_clear.then(|| goes.line(LineKind::Direct, cue.index, object.index, pocket))
 }
 
 /// Adds the lines on which the object ball goes off one cushion.
@@ -176,7 +176,7 @@ pub fn banks(scene: &Scene<'_>, targets: &Targets, lines: &mut Vec<Line>) {
     for object in objects(scene, targets).filter(|ball| targets.first.contains(&ball.index)) {
         for pocket in 0..scene.table.pockets.len() {
             for side in SIDES {
-                lines.extend(bank(scene, cue, object, (pocket, side)));
+                lines.extend(bank(scene, cue, object, pocket, side));
             }
         }
     }
@@ -186,7 +186,8 @@ fn bank(
     scene: &Scene<'_>,
     cue: SceneBall,
     object: SceneBall,
-    (pocket, side): (usize, Side),
+    pocket: usize,
+    side: Side,
 ) -> Option<Line> {
     // The object ball's mirror image sees the pocket as the ball does after the cushion.
     let image = side.mirror(scene, object.center, object.radius);
@@ -200,7 +201,7 @@ fn bank(
         && scene.is_clear(object.center, bounce, object.radius, &[object.index])
         && scene.is_clear(bounce, target, object.radius, &[object.index]);
     let goes = TwoLegs { contact, window, target, way: contact.way };
-    is_clear.then(|| goes.line(LineKind::Bank, (cue.index, object.index), pocket))
+    is_clear.then(|| goes.line(LineKind::Bank, cue.index, object.index, pocket))
 }
 
 /// Adds the lines on which the cue ball goes off one cushion before it meets the object ball.
@@ -209,7 +210,7 @@ pub fn kicks(scene: &Scene<'_>, targets: &Targets, lines: &mut Vec<Line>) {
     for object in objects(scene, targets).filter(|ball| targets.first.contains(&ball.index)) {
         for pocket in 0..scene.table.pockets.len() {
             for side in SIDES {
-                let kick = |rebound: &f64| kick(scene, cue, object, (pocket, side, *rebound));
+                let kick = |rebound: &f64| kick(scene, cue, object, pocket, side, *rebound);
                 lines.extend(REBOUNDS.iter().find_map(kick));
             }
         }
@@ -220,7 +221,9 @@ fn kick(
     scene: &Scene<'_>,
     cue: SceneBall,
     object: SceneBall,
-    (pocket, side, rebound): (usize, Side, f64),
+    pocket: usize,
+    side: Side,
+    rebound: f64,
 ) -> Option<Line> {
     let window = scene.window(object.center, object.radius, pocket)?;
     let target = target(object.center, &window);
@@ -236,7 +239,7 @@ fn kick(
         && scene.is_clear(object.center, target, object.radius, &except);
     let (way, _) = towards(cue.center, bounce)?;
     let goes = TwoLegs { contact, window, target, way };
-    is_clear.then(|| goes.line(LineKind::Kick, (cue.index, object.index), pocket))
+    is_clear.then(|| goes.line(LineKind::Kick, cue.index, object.index, pocket))
 }
 
 /// Adds the lines on which the first ball drives another one into the pocket.
@@ -247,7 +250,7 @@ pub fn combinations(scene: &Scene<'_>, targets: &Targets, lines: &mut Vec<Line>)
             let Some(window) = scene.window(object.center, object.radius, pocket) else { continue };
             let others = scene.balls().iter().filter(|ball| targets.first.contains(&ball.index));
             for first in others.filter(|ball| ball.index != object.index) {
-                lines.extend(combination(scene, cue, *first, (object, pocket, &window)));
+                lines.extend(combination(scene, cue, *first, object, pocket, &window));
             }
         }
     }
@@ -257,7 +260,9 @@ fn combination(
     scene: &Scene<'_>,
     cue: SceneBall,
     first: SceneBall,
-    (object, pocket, window): (SceneBall, usize, &Window),
+    object: SceneBall,
+    pocket: usize,
+    window: &Window,
 ) -> Option<Line> {
     let target = target(object.center, window);
     let second = Contact::new(first, object, window.way)?;
@@ -298,7 +303,7 @@ struct TwoLegs {
 }
 
 impl TwoLegs {
-    fn line(&self, kind: LineKind, (cue, object): (BallIndex, BallIndex), pocket: usize) -> Line {
+    fn line(&self, kind: LineKind, cue: BallIndex, object: BallIndex, pocket: usize) -> Line {
         let Self { contact, window, target, way } = self;
         let before = u8::from(kind == LineKind::Kick);
         let after = u8::from(kind == LineKind::Bank);

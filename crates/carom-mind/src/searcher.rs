@@ -4,10 +4,10 @@ mod choices;
 
 use carom::Error;
 use carom::format::Reader;
-use carom_rules::{Request, Rules, Turn};
+use carom_rules::{Request, Rules};
 
 use crate::player::{Answer, Budget, Decision, Player, Situation};
-use crate::search::{Found, Rounds, SearchTask};
+use crate::search::{Found, Rounds, SearchTask, ShotSearch, ShotTask};
 use crate::settings::SearchSettings;
 use crate::value::{Logistic, Markov, Value};
 
@@ -73,97 +73,69 @@ impl Searcher {
         &self.settings
     }
 
-    /// Begins a search for the situation's shot, for programs that do other work between its rounds.
-    /// [`Self::play_round`] goes on with it; [`Self::decision`] or [`Self::analysis`] ends it. All get
-    /// the same situation and budget, and together they find what [`Player::decide`] or
-    /// [`Self::analyse`] finds. `plays` is the number of plays whose chances are stated, usually 1
-    /// for a decision.
+    /// Begins a search for the situation's shot. At its end the chances of `plays` plays are stated, usually 1 for
+    /// a decision. [`ShotSearch::play_round`] plays a round, and [`ShotSearch::decision`] or
+    /// [`ShotSearch::analysis`] ends it.
+    /// Together they find what [`Player::decide`] or [`Self::analyse`] finds.
     ///
     /// # Errors
     /// As [`Self::analyse`].
-    pub fn begin(
-        &self,
-        situation: &Situation<'_>,
-        budget: &Budget<'_>,
+    pub fn search<'a>(
+        &'a self,
+        situation: &'a Situation<'a>,
+        budget: &'a Budget<'a>,
         plays: usize,
-    ) -> Result<Rounds, Error> {
-        let turn = turn_of(situation)?;
+    ) -> Result<ShotSearch<'a>, Error> {
+        let task = self.task(situation, budget)?;
         if plays == 0 {
             return Err(Error::input("count", "0 plays are nothing", "ask for at least 1"));
         }
-        let settings = SearchSettings { stated: plays, ..self.settings };
-        Ok(Rounds::new(&self.task(situation, turn, (budget, &settings))))
+        Ok(ShotSearch::new(task, plays))
     }
 
-    /// Plays the next round of a search if the budget allows one. Returns whether it was played.
+    /// Goes on with a search of which a program has kept the rounds. It gets the same situation and budget.
     ///
     /// # Errors
-    /// [`Error::TooManyEvents`] if a shot does not end.
-    pub fn play_round(
-        &self,
-        rounds: &mut Rounds,
-        situation: &Situation<'_>,
-        budget: &Budget<'_>,
-    ) -> Result<bool, Error> {
-        let turn = turn_of(situation)?;
-        rounds.play(&self.task(situation, turn, (budget, &self.settings)))
-    }
-
-    /// Gives the plays that the rounds have found the kinds of what they do.
-    pub(crate) fn name(
-        &self,
-        rounds: &mut Rounds,
-        situation: &Situation<'_>,
-        budget: &Budget<'_>,
-    ) -> Result<(), Error> {
-        let turn = turn_of(situation)?;
-        rounds.name(&self.task(situation, turn, (budget, &self.settings)))
-    }
-
-    /// The plays that the rounds have found, the best first.
-    pub(crate) fn found(
-        &self,
+    /// As [`Self::analyse`].
+    pub fn resume<'a>(
+        &'a self,
         rounds: Rounds,
-        situation: &Situation<'_>,
-        budget: &Budget<'_>,
-    ) -> Result<Found, Error> {
-        let turn = turn_of(situation)?;
-        rounds.end(&self.task(situation, turn, (budget, &self.settings)))
+        situation: &'a Situation<'a>,
+        budget: &'a Budget<'a>,
+    ) -> Result<ShotSearch<'a>, Error> {
+        Ok(ShotSearch::resumed(self.task(situation, budget)?, rounds))
     }
 
-    fn task<'a, 'b>(
-        &'b self,
-        situation: &'b Situation<'a>,
-        turn: &'b Turn,
-        (budget, settings): (&'b Budget<'b>, &'b SearchSettings),
-    ) -> SearchTask<'a, 'b> {
-        SearchTask { situation, turn, value: self.value(), settings, budget }
+    fn task<'a>(
+        &'a self,
+        situation: &'a Situation<'a>,
+        budget: &'a Budget<'a>,
+    ) -> Result<SearchTask<'a>, Error> {
+        let shot = ShotTask::new(situation, self.value())?;
+        Ok(SearchTask { shot, settings: &self.settings, budget })
     }
+}
 
-    /// The decision to which the rounds of a search have led.
+impl ShotSearch<'_> {
+    /// The decision to which the rounds have led.
     ///
     /// # Errors
     /// As [`Self::play_round`], and [`Error::Input`] at `frame` if no strike can be played.
-    pub fn decision(
-        &self,
-        rounds: Rounds,
-        situation: &Situation<'_>,
-        budget: &Budget<'_>,
-    ) -> Result<Decision, Error> {
-        let found = self.found(rounds, situation, budget)?;
-        let spent = found.spent;
-        let Some(best) = found.candidates.first() else {
+    pub fn decision(self) -> Result<Decision, Error> {
+        let SearchTask { shot, settings, .. } = self.task;
+        let Found { candidates, spent } = self.found()?;
+        let Some(best) = candidates.first() else {
             return Err(Error::input(
                 "frame",
                 "no strike can be played from this position",
                 "look at the places of the balls",
             ));
         };
-        let win_chance = Some(best.stated_win());
-        let gives_up = situation.frame.rules() == Rules::Snooker
-            && win_chance.is_some_and(|chance| chance < self.settings.concede_below);
+        let win_chance = best.stated_win();
+        let gives_up =
+            shot.frame().rules() == Rules::Snooker && win_chance < settings.concede_below;
         let answer = if gives_up { Answer::Concede } else { Answer::Play(best.play) };
-        Ok(Decision { answer, win_chance, spent })
+        Ok(Decision { answer, win_chance: Some(win_chance), spent })
     }
 }
 
@@ -180,23 +152,12 @@ impl Player for Searcher {
         let (seat, request) = situation.asked()?;
         match request {
             Request::Shot(_) => {
-                let mut rounds = self.begin(situation, budget, self.settings.stated)?;
-                while self.play_round(&mut rounds, situation, budget)? {}
-                self.decision(rounds, situation, budget)
+                let mut search = self.search(situation, budget, self.settings.stated)?;
+                while search.play_round()? {}
+                search.decision()
             }
-            Request::Choice { choices, .. } => self.choose((situation, budget), (seat, choices)),
+            Request::Choice { choices, .. } => self.choose(situation, budget, seat, choices),
             Request::Over { .. } => Err(Error::input("frame", "it is over", "begin a new frame")),
-        }
-    }
-}
-
-/// The turn of the situation's request, which asks for a shot.
-fn turn_of<'a>(situation: &Situation<'a>) -> Result<&'a Turn, Error> {
-    match situation.asked()?.1 {
-        Request::Shot(turn) => Ok(turn),
-        _ => {
-            let what = "it asks for a choice, not for a shot";
-            Err(Error::input("frame", what, "let the player choose"))
         }
     }
 }

@@ -98,9 +98,9 @@ const FRESH_SAMPLES: [u64; 2] = [8, 4000];
 const MOST_OF_ANYTHING: i64 = 1_000_000;
 
 impl SearchSettings {
-    /// Number of fresh samples of a stated play, of `simulations` in all.
-    pub(crate) fn fresh(&self, simulations: u64) -> u64 {
-        let share = FRESH.min(FRESH_IN_ALL / self.stated as f64);
+    /// Number of fresh samples of a play, of `simulations` in all, if the chances of `stated` plays are stated.
+    pub(crate) fn fresh(simulations: u64, stated: usize) -> u64 {
+        let share = FRESH.min(FRESH_IN_ALL / stated as f64);
         ((share * simulations as f64) as u64).clamp(FRESH_SAMPLES[0], FRESH_SAMPLES[1])
     }
 

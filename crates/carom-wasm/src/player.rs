@@ -144,10 +144,9 @@ impl Thought {
         if plays.is_some() || searches {
             let searcher = thought.of.searcher()?;
             let count = plays.unwrap_or(searcher.settings().stated);
-            let begin = |situation: &Situation<'_>, budget: &Budget<'_>| {
-                searcher.begin(situation, budget, count)
-            };
-            let rounds = thought.with_budget(begin)?;
+            let rounds = thought.with_budget(|situation, budget| {
+                Ok::<_, Error>(searcher.search(situation, budget, count)?.into_rounds())
+            })?;
             thought.stage = Stage::Rounds(Box::new((searcher, rounds)));
         }
         Ok(thought)
@@ -173,7 +172,10 @@ impl Thought {
         let went_on = self.with_budget(|situation, budget| match &mut stage {
             Stage::Rounds(search) => {
                 let (searcher, rounds) = &mut **search;
-                searcher.play_round(rounds, situation, budget)
+                let mut search = searcher.resume(rounds.clone(), situation, budget)?;
+                let is_played = search.play_round()?;
+                *rounds = search.into_rounds();
+                Ok(is_played)
             }
             Stage::OneStep(Some(_)) => Ok(false),
             Stage::OneStep(decision) => {
@@ -194,7 +196,9 @@ impl Thought {
             Stage::OneStep(Some(decision)) => Ok(decision),
             Stage::Rounds(search) => {
                 let (searcher, rounds) = *search;
-                self.with_budget(|situation, budget| searcher.decision(rounds, situation, budget))
+                self.with_budget(|situation, budget| {
+                    searcher.resume(rounds, situation, budget)?.decision()
+                })
             }
             Stage::OneStep(None) => unreachable!("the decision was made above"),
         }
@@ -208,7 +212,7 @@ impl Thought {
         };
         let (searcher, rounds) = &**search;
         let rounds = rounds.clone();
-        self.with_budget(|situation, budget| searcher.analysis(rounds, situation, budget))
+        self.with_budget(|situation, budget| searcher.resume(rounds, situation, budget)?.analysis())
     }
 }
 

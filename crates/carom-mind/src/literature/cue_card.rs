@@ -14,14 +14,15 @@ use carom::resolve::cue_ball::Strike;
 use carom_rules::{Frame, Play};
 
 use super::best_shots::COUNTED;
-use super::desk::{Attack, Desk, Method, decide, first_best, usual_break};
+use super::desk::{Desk, first_best, usual_break};
 use super::levels::{MOST_SAMPLES, NodeSearch, Rated, Rating, generate, level_one, level_two};
-use super::pot_table::PotTables;
-use super::shots::{Stroke, Workbench, sampled_strokes};
-use crate::player::{Budget, Decision, Player, Situation, Spent};
+use super::planner::{Attack, Method, Planner};
+use super::shots::{Stroke, sampled_strokes};
+use crate::player::Spent;
 use crate::search::{Candidate, Explorer};
 use crate::targets::{balls_left, call_of};
 use crate::value::{Markov, Position, Value};
+use crate::workbench::Workbench;
 use carom_plan::Prepared;
 
 /// Share of the budget for level one, with level two. Guess: the paper divides the time, and gives no
@@ -154,26 +155,13 @@ impl CueCardSettings {
 }
 
 /// CueCard.
-#[derive(Clone, Debug, Default)]
-pub struct CueCard {
-    settings: CueCardSettings,
-    tables: PotTables,
-}
+pub type CueCard = Planner<CueCardSettings>;
 
-impl CueCard {
-    /// A player with these settings.
-    pub fn new(settings: CueCardSettings) -> Self {
-        Self::with_tables(settings, PotTables::default())
-    }
-
-    pub(crate) const fn with_tables(settings: CueCardSettings, tables: PotTables) -> Self {
-        Self { settings, tables }
-    }
-
+impl CueCardSettings {
     /// The two variants of each shot in turn: a plain stroke with the next fine step of speed, and one
     /// with a random spin. Every part of the list covers the whole range.
     fn strokes(&self, seed: u64) -> Vec<Stroke> {
-        let count = self.settings.strokes.max(2);
+        let count = self.strokes.max(2);
         let fine = fine_speeds(count / 2).into_iter().map(Stroke::plain);
         let spun = sampled_strokes(seed % SEQUENCES, SPEEDS);
         fine.zip(spun).flat_map(|(plain, spun)| [plain, spun]).collect()
@@ -181,7 +169,7 @@ impl CueCard {
 
     /// What a state is worth: by the Markov chain in an ending, and else by its best shots.
     fn gain(&self, desk: &Desk<'_>) -> impl Fn(&Frame) -> f64 + Sync {
-        let is_ending = balls_left(desk.situation.frame, desk.seat()) <= self.settings.ending;
+        let is_ending = balls_left(desk.situation.frame, desk.seat()) <= self.ending;
         let (noise, seat, value) = (desk.situation.noise.clone(), desk.seat(), desk.value.clone());
         move |frame: &Frame| {
             let position = Position { frame, noise: &noise };
@@ -194,38 +182,37 @@ impl CueCard {
     }
 
     fn search(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Rated>, Error> {
-        let settings = &self.settings;
         let strokes = self.strokes(desk.situation.seed);
         let gain = self.gain(desk);
-        let share = if settings.level_two == LevelTwo::GivenToLevelOne { 1.0 } else { LEVEL_ONE };
+        let share = if self.level_two == LevelTwo::GivenToLevelOne { 1.0 } else { LEVEL_ONE };
         let first = (share * desk.left(spent, 1) as f64) as u64;
         let generating = (GENERATING * first as f64) as u64;
         let (mut shots, plays) = generate(desk, &strokes, generating.max(1), &gain)?;
         spent.simulations += plays;
         let left = first.saturating_sub(plays);
         // A small budget is better spent on the finalists' number of shots than on many errors.
-        let wanted = left / (settings.finalists.min(shots.len()).max(1) as u64);
-        let samples = wanted.clamp(LEAST_SAMPLES.min(settings.samples), settings.samples).max(1);
+        let wanted = left / (self.finalists.min(shots.len()).max(1) as u64);
+        let samples = wanted.clamp(LEAST_SAMPLES.min(self.samples), self.samples).max(1);
         shots.truncate((left / samples).max(1) as usize);
         spent.simulations += samples * shots.len() as u64;
         spent.rounds += 1;
         let mut rated = level_one(desk, shots, samples, &gain)?;
-        if settings.level_two != LevelTwo::Searched {
+        if self.level_two != LevelTwo::Searched {
             return Ok(rated.into_iter().next());
         }
         let left = desk.left(spent, 0);
-        let nodes = settings.clusters.max(1).min(samples as usize) as u64;
-        let finalists = ((left / (LEAST_NODE * nodes)) as usize).min(settings.finalists);
+        let nodes = self.clusters.max(1).min(samples as usize) as u64;
+        let finalists = ((left / (LEAST_NODE * nodes)) as usize).min(self.finalists);
         rated.truncate(finalists.max(1));
         if rated.len() < 2 || !desk.budget.allows(*spent, left) {
             return Ok(rated.into_iter().next());
         }
         let most = left / (rated.len() as u64 * nodes);
-        let is_noiseless = most < settings.noiseless_below;
-        let samples = settings.samples_two.max(1);
+        let is_noiseless = most < self.noiseless_below;
+        let samples = self.samples_two.max(1);
         let rating = if is_noiseless { Rating::Noiseless } else { Rating::Sampled(samples) };
         let search = NodeSearch { strokes: &strokes, rating, most };
-        let (values, plays) = level_two(desk, &rated, (settings.clusters.max(1), &search), &gain)?;
+        let (values, plays) = level_two(desk, &rated, self.clusters.max(1), &search, &gain)?;
         spent.simulations += plays;
         spent.rounds += 1;
         let best = first_best(values.into_iter().zip(rated), |(value, _)| *value);
@@ -237,13 +224,12 @@ impl CueCard {
     fn searched_break(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Play>, Error> {
         let budget = desk.left(spent, 1);
         let share = |share: f64| (share * budget as f64) as u64;
-        let mut explorer = Explorer::new(desk.situation, &desk.value, desk.turn, 0);
+        let mut explorer = Explorer::new(desk.task());
         let count = desk.prepared.len().max(1) as u64;
-        for (place, prepared) in desk.prepared.iter().enumerate() {
-            explorer.most = share(BREAK_FINDING) * (place as u64 + 1) / count;
-            explorer.breaks(prepared, place)?;
+        for at in desk.places() {
+            explorer.breaks(at, share(BREAK_FINDING) * (at.number as u64 + 1) / count)?;
         }
-        spent.simulations += explorer.plays;
+        spent.simulations += explorer.bench.plays;
         let mut found: Vec<Candidate> = explorer.found;
         found.retain(|found| found.play.strike.speed >= HARD);
         found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
@@ -256,7 +242,7 @@ impl CueCard {
         breaks.sort_by(|a, b| b.2.total_cmp(&a.2));
         breaks.truncate(BREAK_FINALISTS);
         let samples = desk.left(spent, 0) / (breaks.len() as u64).max(1);
-        let last = FEW_ERRORS + samples.min(self.settings.samples);
+        let last = FEW_ERRORS + samples.min(self.samples);
         spent.simulations += (last - FEW_ERRORS) * breaks.len() as u64;
         let breaks = break_values(desk, breaks, FEW_ERRORS..last)?;
         Ok(first_best(breaks, |(.., sum)| *sum).map(|(_, play, _)| play))
@@ -277,8 +263,8 @@ fn break_values(
         breaks,
         || Workbench::new(desk.situation.frame),
         |bench, (place, play, mut sum)| {
-            let drawn = (&errors, indices.clone());
-            bench.sample(&desk.prepared[place], &play, drawn, |next, _| {
+            let (prepared, indices) = (&desk.prepared[place], indices.clone());
+            bench.sample(prepared, &play, &errors, indices, |next, _| {
                 let position = Position { frame: next, noise: &desk.situation.noise };
                 sum += desk.value.win_chance(&position, desk.seat());
             })?;
@@ -304,31 +290,17 @@ fn fine_speeds(count: usize) -> Vec<f64> {
     speeds
 }
 
-impl Player for CueCard {
-    fn name(&self) -> &'static str {
-        "cue-card"
-    }
-
-    fn decide(
-        &mut self,
-        situation: &Situation<'_>,
-        budget: &Budget<'_>,
-    ) -> Result<Decision, Error> {
-        decide(self, situation, budget)
-    }
-}
-
-impl Method for CueCard {
-    fn tables(&self) -> &PotTables {
-        &self.tables
+impl Method for CueCardSettings {
+    fn name(&self) -> String {
+        "cue-card".into()
     }
 
     fn weights(&self) -> [f64; COUNTED] {
-        self.settings.weights
+        self.weights
     }
 
     fn safety_below(&self) -> f64 {
-        self.settings.safety_below
+        self.safety_below
     }
 
     fn attack(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {
@@ -337,7 +309,7 @@ impl Method for CueCard {
     }
 
     fn break_shot(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Play>, Error> {
-        match self.settings.break_shot {
+        match self.break_shot {
             CueCardBreak::Searched => self.searched_break(desk, spent),
             CueCardBreak::Usual => Ok(usual_break(desk)),
             CueCardBreak::Given(place, strike) => {
@@ -353,7 +325,7 @@ impl Method for CueCard {
 
 #[cfg(test)]
 mod tests {
-    use super::{CueCard, CueCardSettings, SPEEDS, fine_speeds};
+    use super::{CueCardSettings, SPEEDS, fine_speeds};
 
     #[test]
     fn fine_speeds_cover_the_range_in_equal_ratios() {
@@ -367,9 +339,9 @@ mod tests {
 
     #[test]
     fn half_of_the_strokes_are_plain_and_half_have_a_random_spin() {
-        let player = CueCard::new(CueCardSettings::default());
+        let player = CueCardSettings::default();
         let strokes = player.strokes(3);
-        assert_eq!(strokes.len(), CueCardSettings::default().strokes);
+        assert_eq!(strokes.len(), player.strokes);
         let plain = strokes.iter().filter(|stroke| stroke.side == 0.0 && stroke.height == 0.0);
         assert_eq!(plain.count(), strokes.len() / 2);
         assert_ne!(strokes, player.strokes(4), "the seed chooses the spins");

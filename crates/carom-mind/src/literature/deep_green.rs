@@ -14,12 +14,14 @@
 use carom::Error;
 use carom_rules::{Frame, Request};
 
-use super::best_shots::COUNTED;
-use super::desk::{Attack, Desk, Method, decide, first_best};
-use super::pot_table::{EVERY_KIND, PotTables};
-use super::shots::{PotShot, Sight, Stroke, Workbench};
-use crate::player::{Budget, Decision, Player, Situation, Spent};
+use super::desk::{Desk, first_best};
+use super::planner::{Attack, Method, Planner};
+use super::pot_table::EVERY_KIND;
+use super::shots::{PotShot, Sight, Stroke};
+use crate::player::Spent;
+use crate::search::CuePlace;
 use crate::value::Position;
+use crate::workbench::Workbench;
 use carom_plan::Prepared;
 
 /// Share of a node's simulations that its own shots may use, as a fraction; the rest is divided among
@@ -56,33 +58,13 @@ impl Default for DeepGreenSettings {
     }
 }
 
-/// Deep Green.
-#[derive(Clone, Debug)]
-pub struct DeepGreen {
-    name: String,
-    settings: DeepGreenSettings,
-    tables: PotTables,
-}
+/// Deep Green. Its name is `deep-green-` and the depth.
+pub type DeepGreen = Planner<DeepGreenSettings>;
 
-impl Default for DeepGreen {
-    fn default() -> Self {
-        Self::new(DeepGreenSettings::default())
-    }
-}
-
-impl DeepGreen {
-    /// A player with these settings. Its name is `deep-green-` and the depth.
-    pub fn new(settings: DeepGreenSettings) -> Self {
-        Self::with_tables(settings, PotTables::default())
-    }
-
-    pub(crate) fn with_tables(settings: DeepGreenSettings, tables: PotTables) -> Self {
-        Self { name: format!("deep-green-{}", settings.depth), settings, tables }
-    }
-
+impl DeepGreenSettings {
     /// Every combination of height and speed, the usual ones first.
     fn strokes(&self) -> Vec<Stroke> {
-        let DeepGreenSettings { speeds, heights, .. } = &self.settings;
+        let Self { speeds, heights, .. } = self;
         let with = |height: f64| speeds.iter().map(move |speed| (*speed, height));
         let strokes = heights.iter().flat_map(|height| with(*height));
         strokes.map(|(speed, height)| Stroke { speed, side: 0.0, height }).collect()
@@ -95,7 +77,8 @@ impl DeepGreen {
         desk: &Desk<'_>,
         bench: &mut Workbench,
         frame: &Frame,
-        (depth, most): (u32, u64),
+        depth: u32,
+        most: u64,
     ) -> Result<f64, Error> {
         let turn = match frame.request() {
             Request::Over { winner: Some(winner), .. } if *winner == desk.seat() => {
@@ -108,20 +91,17 @@ impl DeepGreen {
             return Ok(self.table_value(desk, frame));
         }
         let sight = Sight::new(frame, turn, desk.table(), desk.noise());
-        if depth == 0 || turn.hand.is_some() {
-            let position = Position { frame, noise: &desk.situation.noise };
-            return Ok(desk.value.best(&position, turn)[0]);
-        }
         let prepared = Prepared::new(frame, None)?;
         let lines = sight.lines(&prepared, &EVERY_KIND);
         let own = most_of_node(depth, most);
         let before = bench.plays;
-        let shots = bench.pot_shots(&sight, (&prepared, 0), (&lines, &self.strokes()), own)?;
+        let at = CuePlace { number: 0, prepared: &prepared };
+        let shots = bench.pot_shots(&sight, at, &lines, &self.strokes(), own)?;
         let left = most.saturating_sub(bench.plays - before);
-        let (shots, left) = self.most_promising(desk, shots, (depth, left));
+        let (shots, left) = self.most_promising(desk, shots, depth, left);
         let mut best: f64 = 0.0;
         for shot in &shots {
-            let rest = self.rest(desk, bench, &shot.successor, (depth - 1, left))?;
+            let rest = self.rest(desk, bench, &shot.successor, depth - 1, left)?;
             best = best.max(shot.chance * (1.0 + rest));
         }
         Ok(best)
@@ -134,7 +114,8 @@ impl DeepGreen {
         &self,
         desk: &Desk<'_>,
         shots: Vec<PotShot>,
-        (depth, left): (u32, u64),
+        depth: u32,
+        left: u64,
     ) -> (Vec<PotShot>, u64) {
         if depth <= 1 {
             return (shots, 0);
@@ -171,26 +152,25 @@ impl DeepGreen {
     fn rated(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Vec<(PotShot, f64)>, Error> {
         let sight = desk.sight();
         let budget = desk.left(spent, 1);
-        let depth = self.settings.depth;
+        let depth = self.depth;
         let own = most_of_node(depth, budget) / desk.prepared.len().max(1) as u64;
         let mut bench = Workbench::new(desk.situation.frame);
         let mut shots = Vec::new();
-        for (place, prepared) in desk.prepared.iter().enumerate() {
-            let lines = sight.lines(prepared, &EVERY_KIND);
-            let strokes = self.strokes();
-            shots.extend(bench.pot_shots(&sight, (prepared, place), (&lines, &strokes), own)?);
+        for at in desk.places() {
+            let lines = sight.lines(at.prepared, &EVERY_KIND);
+            shots.extend(bench.pot_shots(&sight, at, &lines, &self.strokes(), own)?);
         }
         spent.simulations += bench.plays;
         if depth == 0 {
             return Ok(shots.into_iter().map(|shot| (shot.clone(), shot.chance)).collect());
         }
-        let (shots, left) = self.most_promising(desk, shots, (depth, desk.left(spent, 0)));
+        let (shots, left) = self.most_promising(desk, shots, depth, desk.left(spent, 0));
         let rated = desk.budget.runner.map(
             shots,
             || Workbench::new(desk.situation.frame),
             |bench, shot| {
                 let before = bench.plays;
-                let rest = self.rest(desk, bench, &shot.successor, (depth - 1, left))?;
+                let rest = self.rest(desk, bench, &shot.successor, depth - 1, left)?;
                 let value = shot.chance * (1.0 + rest);
                 Ok((shot, value, bench.plays - before))
             },
@@ -208,32 +188,13 @@ const fn most_of_node(depth: u32, most: u64) -> u64 {
     if depth <= 1 { most } else { most * GENERATING[0] / GENERATING[1] }
 }
 
-impl Player for DeepGreen {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn decide(
-        &mut self,
-        situation: &Situation<'_>,
-        budget: &Budget<'_>,
-    ) -> Result<Decision, Error> {
-        decide(self, situation, budget)
-    }
-}
-
-impl Method for DeepGreen {
-    fn tables(&self) -> &PotTables {
-        &self.tables
-    }
-
-    /// Only the best shot counts.
-    fn weights(&self) -> [f64; COUNTED] {
-        [1.0, 0.0, 0.0]
+impl Method for DeepGreenSettings {
+    fn name(&self) -> String {
+        format!("deep-green-{}", self.depth)
     }
 
     fn safety_below(&self) -> f64 {
-        self.settings.safety_below
+        self.safety_below
     }
 
     fn attack(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {

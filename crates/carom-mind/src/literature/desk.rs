@@ -1,4 +1,4 @@
-//! What all players of the literature share: the way from a request to a decision.
+//! A request for a shot, and the answers that all players of the literature give in the same way.
 //!
 //! The papers describe how their players choose a pot in eight-ball. Everything else that a referee
 //! can ask is answered here, in the same way for all of them: choices and safeties by the player's
@@ -10,16 +10,17 @@ use std::sync::Arc;
 use carom::math::{Vec2, atan2};
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, Noise};
-use carom_rules::{Choice, Play, Request, Rules, Seat, Turn};
+use carom_rules::{Play, Seat, Turn};
 
-use super::best_shots::{BestShots, COUNTED};
-use super::pot_table::{PotTable, PotTables};
-use super::shots::{Sight, Workbench};
-use crate::player::{Answer, Budget, Decision, Situation, Spent};
+use super::best_shots::BestShots;
+use super::pot_table::PotTable;
+use super::shots::Sight;
+use crate::player::{Budget, Situation, Spent};
 use crate::scene::Scene;
-use crate::search::{Candidate, Explorer};
+use crate::search::{Candidate, CuePlace, Explorer, ShotTask, cue_places, raised};
 use crate::targets::call_of;
 use crate::value::{Position, Value};
+use crate::workbench::Workbench;
 use carom::noise::Errors;
 use carom_plan::Prepared;
 
@@ -43,43 +44,8 @@ const BREAK_HEIGHT: f64 = 0.1;
 /// Cue speed (m/s) of a shot that is played because nothing legal was found.
 const HOPELESS_SPEED: f64 = 2.0;
 
-/// A shot that tries to keep the turn.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Attack {
-    pub(crate) play: Play,
-    /// Its probability of keeping the turn or winning.
-    pub(crate) chance: f64,
-}
-
-/// What distinguishes the players.
-pub(crate) trait Method {
-    /// The tables that the player has measured.
-    fn tables(&self) -> &PotTables;
-
-    /// The weights with which the best shots of a position are counted.
-    fn weights(&self) -> [f64; COUNTED];
-
-    /// An attack that is less probable than this gives way to a better safety.
-    fn safety_below(&self) -> f64;
-
-    /// The player's attack; none if it finds none.
-    ///
-    /// # Errors
-    /// As [`crate::Player::decide`].
-    fn attack(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error>;
-
-    /// The break from one of the prepared places.
-    ///
-    /// # Errors
-    /// As [`crate::Player::decide`].
-    fn break_shot(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Play>, Error> {
-        let _ = spent;
-        Ok(usual_break(desk))
-    }
-}
-
 /// A request for a shot, prepared.
-pub(crate) struct Desk<'a> {
+pub struct Desk<'a> {
     pub(crate) situation: &'a Situation<'a>,
     pub(crate) budget: &'a Budget<'a>,
     pub(crate) turn: &'a Turn,
@@ -96,13 +62,13 @@ impl<'a> Desk<'a> {
         turn: &'a Turn,
         value: BestShots,
     ) -> Result<Self, Error> {
-        let explorer = Explorer::new(situation, &value, turn, 0);
+        let task = ShotTask { situation, turn, value: &value };
         let places: Vec<Option<[f64; 2]>> = match turn.hand {
             None => vec![None],
             Some(region) if situation.frame.is_opening() => {
-                explorer.opening_places(region).into_iter().map(Some).collect()
+                task.opening_places(region).into_iter().map(Some).collect()
             }
-            Some(region) => explorer.places(region).into_iter().take(PLACES).map(Some).collect(),
+            Some(region) => task.places(region).into_iter().take(PLACES).map(Some).collect(),
         };
         let prepared = places.into_iter().map(|place| Prepared::new(situation.frame, place));
         let prepared = prepared.collect::<Result<Vec<_>, _>>()?;
@@ -138,99 +104,19 @@ impl<'a> Desk<'a> {
         self.budget.simulations.saturating_sub(spent.simulations).max(least)
     }
 
-    fn explorer(&self, most: u64) -> Explorer<'_> {
-        Explorer::new(self.situation, &self.value, self.turn, most)
+    /// The shot, judged by the player's value.
+    pub(crate) fn task(&self) -> ShotTask<'_> {
+        ShotTask { situation: self.situation, turn: self.turn, value: &self.value }
     }
-}
 
-/// A player's decision.
-///
-/// # Errors
-/// As [`crate::Player::decide`].
-pub(crate) fn decide(
-    method: &dyn Method,
-    situation: &Situation<'_>,
-    budget: &Budget<'_>,
-) -> Result<Decision, Error> {
-    let (seat, request) = situation.asked()?;
-    let mut spent = Spent::default();
-    let value = value_of(method, situation)?;
-    let answer = match request {
-        Request::Choice { choices, .. } => {
-            Answer::Choice(best_choice(&value, situation, seat, choices))
-        }
-        Request::Shot(turn) => {
-            let desk = Desk::new(situation, budget, turn, value)?;
-            Answer::Play(shot(method, &desk, &mut spent)?)
-        }
-        Request::Over { .. } => unreachable!("a finished frame has no request"),
-    };
-    spent.rounds = spent.rounds.max(1);
-    Ok(Decision { answer, win_chance: None, spent })
-}
-
-/// The player's value of positions. A game without pots needs no table of them.
-pub(crate) fn value_of(method: &dyn Method, situation: &Situation<'_>) -> Result<BestShots, Error> {
-    let frame = situation.frame;
-    let table = |seat: Seat| {
-        if frame.rules() == Rules::ThreeCushion {
-            Ok(Arc::new(PotTable::geometric(situation.noise[seat].clone())))
-        } else {
-            method.tables().table(frame, &situation.noise[seat])
-        }
-    };
-    Ok(BestShots { tables: [table(0)?, table(1)?], weights: method.weights() })
-}
-
-fn best_choice(
-    value: &BestShots,
-    situation: &Situation<'_>,
-    seat: Seat,
-    choices: &[Choice],
-) -> Choice {
-    let mut best = (f64::NEG_INFINITY, choices[0]);
-    for choice in choices {
-        let mut next = situation.frame.clone();
-        if next.choose(*choice).is_err() {
-            continue;
-        }
-        let position = Position { frame: &next, noise: &situation.noise };
-        let chance = value.win_chance(&position, seat);
-        if chance > best.0 {
-            best = (chance, *choice);
-        }
+    /// The prepared positions with their numbers.
+    pub(crate) fn places(&self) -> impl Iterator<Item = CuePlace<'_>> {
+        cue_places(&self.prepared)
     }
-    best.1
-}
 
-fn shot(method: &dyn Method, desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
-    let frame = desk.situation.frame;
-    if frame.rules() == Rules::ThreeCushion {
-        return carom(desk, spent);
-    }
-    let explorer = desk.explorer(0);
-    if frame.is_opening() {
-        if explorer.breaks_hard()
-            && let Some(play) = method.break_shot(desk, spent)?
-        {
-            return Ok(play);
-        }
-        return match safety(desk, spent)? {
-            Some((play, _)) => Ok(play),
-            None => anything(desk, spent),
-        };
-    }
-    let attack = method.attack(desk, spent)?;
-    match attack {
-        Some(attack) if attack.chance >= method.safety_below() => Ok(attack.play),
-        Some(attack) => Ok(match safety(desk, spent)? {
-            Some((play, value)) if value > attack.chance => play,
-            _ => attack.play,
-        }),
-        None => match safety(desk, spent)? {
-            Some((play, _)) => Ok(play),
-            None => anything(desk, spent),
-        },
+    /// The most promising one.
+    fn first_place(&self) -> CuePlace<'_> {
+        CuePlace { number: 0, prepared: &self.prepared[0] }
     }
 }
 
@@ -257,18 +143,19 @@ fn toward_nearest(
     let way = head.center - cue.center;
     let azimuth = atan2(way.y, way.x);
     let strike = Strike { speed, azimuth, elevation: 0.0, side: 0.0, height };
-    let strike = Explorer::raised(prepared, strike);
+    let strike = raised(prepared, strike);
     let call = call_of(desk.turn, head.index, None);
     Some(Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) })
 }
 
 /// The safety that leaves the other player least, and its value for the player, 0 to 1; none if no
 /// legal shot was found.
-fn safety(desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<(Play, f64)>, Error> {
+pub(crate) fn safety(desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<(Play, f64)>, Error> {
     let share = (SAFETY_SHARE * desk.budget.simulations as f64) as u64;
-    let mut explorer = desk.explorer(share.clamp(SAFETY_PLAYS[0], SAFETY_PLAYS[1]));
-    explorer.safeties(&desk.prepared[0], 0)?;
-    spent.simulations += explorer.plays;
+    let most = share.clamp(SAFETY_PLAYS[0], SAFETY_PLAYS[1]);
+    let mut explorer = Explorer::new(desk.task());
+    explorer.safeties(desk.first_place(), most)?;
+    spent.simulations += explorer.bench.plays;
     let mut found: Vec<Candidate> = explorer.found;
     found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
     found.truncate(SAFETIES_SAMPLED);
@@ -278,15 +165,11 @@ fn safety(desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<(Play, f64)>, Err
         || Workbench::new(desk.situation.frame),
         |bench, candidate| {
             let mut sum = 0.0;
-            bench.sample(
-                &desk.prepared[0],
-                &candidate.play,
-                (&errors, 0..SAFETY_SAMPLES),
-                |next, _| {
-                    let position = Position { frame: next, noise: &desk.situation.noise };
-                    sum += desk.value.win_chance(&position, desk.seat());
-                },
-            )?;
+            let (prepared, samples) = (&desk.prepared[0], 0..SAFETY_SAMPLES);
+            bench.sample(prepared, &candidate.play, &errors, samples, |next, _| {
+                let position = Position { frame: next, noise: &desk.situation.noise };
+                sum += desk.value.win_chance(&position, desk.seat());
+            })?;
             Ok((candidate.play, sum / SAFETY_SAMPLES as f64))
         },
     );
@@ -296,11 +179,11 @@ fn safety(desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<(Play, f64)>, Err
 }
 
 /// A legal shot in any direction; if there is none, a full hit of the nearest ball.
-fn anything(desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
+pub(crate) fn anything(desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
     let prepared = &desk.prepared[0];
-    let mut explorer = desk.explorer(ANYTHING_PLAYS);
-    explorer.anything(prepared, 0)?;
-    spent.simulations += explorer.plays;
+    let mut explorer = Explorer::new(desk.task());
+    explorer.anything(desk.first_place(), ANYTHING_PLAYS)?;
+    spent.simulations += explorer.bench.plays;
     if let Some(best) = first_best(explorer.found, |candidate| candidate.prior) {
         return Ok(best.play);
     }
@@ -309,18 +192,18 @@ fn anything(desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
             Strike { speed: HOPELESS_SPEED, azimuth: 0.0, elevation: 0.0, side: 0.0, height: 0.0 };
         let first = desk.turn.on.first().copied().unwrap_or(desk.turn.cue);
         let call = call_of(desk.turn, first, None);
-        let strike = Explorer::raised(prepared, strike);
+        let strike = raised(prepared, strike);
         Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) }
     };
     Ok(toward_nearest(desk, prepared, HOPELESS_SPEED, 0.0).unwrap_or_else(hopeless))
 }
 
 /// The most promising carom of three-cushion.
-fn carom(desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
+pub(crate) fn carom(desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
     let most = desk.budget.simulations.max(LEAST_CAROM_PLAYS);
-    let mut explorer = desk.explorer(most);
-    explorer.caroms(&desk.prepared[0], 0)?;
-    spent.simulations += explorer.plays;
+    let mut explorer = Explorer::new(desk.task());
+    explorer.caroms(desk.first_place(), most)?;
+    spent.simulations += explorer.bench.plays;
     match first_best(explorer.found, |candidate| candidate.prior) {
         Some(best) => Ok(best.play),
         None => anything(desk, spent),

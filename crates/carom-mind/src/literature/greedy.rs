@@ -7,11 +7,13 @@
 use carom::Error;
 use carom::format::Reader;
 
-use super::best_shots::COUNTED;
-use super::desk::{Attack, Desk, Method, decide, first_best};
-use super::pot_table::{EVERY_KIND, PotTables};
-use super::shots::{Correction, Stroke, Workbench, geometric};
-use crate::player::{Budget, Decision, Player, Situation, Spent};
+use super::desk::{Desk, first_best};
+use super::planner::{Attack, Method, Planner};
+use super::pot_table::EVERY_KIND;
+use super::shots::{Correction, Stroke, geometric};
+use crate::player::Spent;
+use crate::search::CuePlace;
+use crate::workbench::Workbench;
 
 /// How the greedy player aims.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -61,74 +63,39 @@ impl GreedySettings {
 }
 
 /// The greedy player.
-#[derive(Clone, Debug, Default)]
-pub struct Greedy {
-    settings: GreedySettings,
-    tables: PotTables,
-}
+pub type Greedy = Planner<GreedySettings>;
 
-impl Greedy {
-    /// A player with these settings.
-    pub fn new(settings: GreedySettings) -> Self {
-        Self::with_tables(settings, PotTables::default())
-    }
-
-    pub(crate) const fn with_tables(settings: GreedySettings, tables: PotTables) -> Self {
-        Self { settings, tables }
-    }
-}
-
-impl Player for Greedy {
-    fn name(&self) -> &'static str {
-        "greedy"
-    }
-
-    fn decide(
-        &mut self,
-        situation: &Situation<'_>,
-        budget: &Budget<'_>,
-    ) -> Result<Decision, Error> {
-        decide(self, situation, budget)
-    }
-}
-
-impl Method for Greedy {
-    fn tables(&self) -> &PotTables {
-        &self.tables
-    }
-
-    /// Only the best shot counts.
-    fn weights(&self) -> [f64; COUNTED] {
-        [1.0, 0.0, 0.0]
+impl Method for GreedySettings {
+    fn name(&self) -> String {
+        "greedy".into()
     }
 
     fn safety_below(&self) -> f64 {
-        self.settings.safety_below
+        self.safety_below
     }
 
     fn attack(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {
         let sight = desk.sight();
         let mut lines = Vec::new();
-        for (place, prepared) in desk.prepared.iter().enumerate() {
+        for CuePlace { prepared, .. } in desk.places() {
             // By geometry alone: the table of measured probabilities is not used.
             let rated = sight.lines(prepared, &EVERY_KIND).into_iter();
             lines.extend(
-                rated.map(|(line, _)| (place, line, line.chance(&sight.noise, sight.radius))),
+                rated.map(|(line, _)| (prepared, line, line.chance(&sight.noise, sight.radius))),
             );
         }
-        let Some((place, line, chance)) = first_best(lines, |(.., chance)| *chance) else {
+        let Some((prepared, line, chance)) = first_best(lines, |(.., chance)| *chance) else {
             return Ok(None);
         };
-        let prepared = &desk.prepared[place];
-        let plain = geometric(&sight, prepared, &line, self.settings.speed);
+        let plain = geometric(&sight, prepared, &line, self.speed);
         let plain = prepared.shot().resolve_strike(&plain.strike).is_ok().then_some(plain);
-        let play = match self.settings.aim {
+        let play = match self.aim {
             GreedyAim::Geometric => plain,
             GreedyAim::Simulated => {
                 let mut bench = Workbench::new(desk.situation.frame);
-                let stroke = Stroke::plain(self.settings.speed);
+                let stroke = Stroke::plain(self.speed);
                 let known = &mut Correction::default();
-                let aimed = bench.aimed(&sight, prepared, (&line, stroke), known)?;
+                let aimed = bench.aimed(&sight, prepared, &line, stroke, known)?;
                 spent.simulations += bench.plays;
                 aimed.or(plain)
             }

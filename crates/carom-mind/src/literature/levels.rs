@@ -9,7 +9,9 @@ use carom_rules::{Frame, Request};
 use super::clusters::{point, representatives};
 use super::desk::Desk;
 use super::pot_table::EVERY_KIND;
-use super::shots::{PotShot, Sight, Stroke, Workbench};
+use super::shots::{PotShot, Sight, Stroke};
+use crate::search::CuePlace;
+use crate::workbench::Workbench;
 use carom_plan::Prepared;
 
 /// Most drawn errors of a shot that a player's settings may ask for.
@@ -63,9 +65,9 @@ pub(crate) fn generate(
     let mut bench = Workbench::new(desk.situation.frame);
     let mut shots = Vec::new();
     let own = most / desk.prepared.len().max(1) as u64;
-    for (place, prepared) in desk.prepared.iter().enumerate() {
-        let lines = sight.lines(prepared, &EVERY_KIND);
-        shots.extend(bench.pot_shots(&sight, (prepared, place), (&lines, strokes), own)?);
+    for at in desk.places() {
+        let lines = sight.lines(at.prepared, &EVERY_KIND);
+        shots.extend(bench.pot_shots(&sight, at, &lines, strokes, own)?);
     }
     let mut rated: Vec<(f64, PotShot)> =
         shots.into_iter().map(|shot| (shot.chance * gain(&shot.successor), shot)).collect();
@@ -91,7 +93,7 @@ pub(crate) fn level_one(
         |bench, shot| {
             let (mut states, mut sum, mut kept) = (Vec::new(), 0.0, 0.0);
             let prepared = &desk.prepared[shot.place];
-            bench.sample(prepared, &shot.play, (&errors, 0..samples), |next, keeps| {
+            bench.sample(prepared, &shot.play, &errors, 0..samples, |next, keeps| {
                 sum += gain(next);
                 kept += f64::from(u8::from(keeps));
                 states.push(next.clone());
@@ -114,7 +116,8 @@ pub(crate) fn level_one(
 pub(crate) fn level_two(
     desk: &Desk<'_>,
     finalists: &[Rated],
-    (clusters, search): (usize, &NodeSearch<'_>),
+    clusters: usize,
+    search: &NodeSearch<'_>,
     gain: &Gain<'_>,
 ) -> Result<(Vec<f64>, u64), Error> {
     // One job for each node, so that the threads have equal work.
@@ -135,7 +138,7 @@ pub(crate) fn level_two(
         || Workbench::new(desk.situation.frame),
         |bench, state| {
             let before = bench.plays;
-            let value = node_value(desk, bench, state, (search, gain))?;
+            let value = node_value(desk, bench, state, search, gain)?;
             Ok((value, bench.plays - before))
         },
     );
@@ -162,7 +165,8 @@ pub(crate) fn node_value(
     desk: &Desk<'_>,
     bench: &mut Workbench,
     state: &Frame,
-    (search, gain): (&NodeSearch<'_>, &Gain<'_>),
+    search: &NodeSearch<'_>,
+    gain: &Gain<'_>,
 ) -> Result<f64, Error> {
     let Some(turn) = state.turn() else { return Ok(gain(state)) };
     let sight = Sight::new(state, turn, desk.table(), desk.noise());
@@ -173,7 +177,8 @@ pub(crate) fn node_value(
         // The generation of a shot costs about as much as two or three samples.
         Rating::Sampled(samples) => search.most * 3 / (samples + 3),
     };
-    let shots = bench.pot_shots(&sight, (&prepared, 0), (&lines, search.strokes), most)?;
+    let at = CuePlace { number: 0, prepared: &prepared };
+    let shots = bench.pot_shots(&sight, at, &lines, search.strokes, most)?;
     let errors = desk.errors();
     let mut best: f64 = 0.0;
     for shot in &shots {
@@ -181,8 +186,8 @@ pub(crate) fn node_value(
             Rating::Noiseless => shot.chance * gain(&shot.successor),
             Rating::Sampled(samples) => {
                 let mut sum = 0.0;
-                let indices = (&errors, 0..samples);
-                bench.sample(&prepared, &shot.play, indices, |next, _| sum += gain(next))?;
+                let add = |next: &Frame, _| sum += gain(next);
+                bench.sample(&prepared, &shot.play, &errors, 0..samples, add)?;
                 sum / samples as f64
             }
         };

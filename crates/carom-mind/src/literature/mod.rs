@@ -5,8 +5,8 @@
 //! printed; every other number is marked as a guess in its comment. docs/players.md describes the
 //! players and lists the guesses.
 //!
-//! All of them choose pots by their own method and answer every other request in the same way
-//! ([`desk`]). They count simulated shots instead of seconds: [`Budget::simulations`](crate::Budget)
+//! All of them are a [`Planner`]: they choose pots by their own method and answer every other request in the same
+//! way. They count simulated shots instead of seconds: [`Budget::simulations`](crate::Budget)
 //! limits a decision, apart from a least search. A decision has the same bits for any number of
 //! threads.
 
@@ -18,6 +18,7 @@ mod desk;
 mod greedy;
 mod levels;
 mod pick_pocket;
+mod planner;
 mod pool_master;
 mod position_grid;
 mod pot_table;
@@ -29,12 +30,14 @@ pub use cue_card::{CueCard, CueCardBreak, CueCardSettings, LevelTwo};
 pub use deep_green::{DeepGreen, DeepGreenSettings};
 pub use greedy::{Greedy, GreedyAim, GreedySettings};
 pub use pick_pocket::{PickPocket, PickPocketSettings};
+pub use planner::Planner;
 pub use pool_master::{PoolMaster, PoolMasterSettings};
 
 use carom::Error;
 use carom::format::{Node, Reader};
 
 use crate::player::Player;
+use planner::Method;
 use pot_table::PotTables;
 
 /// The names of the players that [`Literature::player`] makes.
@@ -71,25 +74,21 @@ impl Literature {
     /// # Errors
     /// [`Error::Input`] at `player` if there is none, and at a setting that is not the player's.
     pub fn player_with(&self, name: &str, settings: &Reader<'_>) -> Result<Box<dyn Player>, Error> {
-        let tables = self.tables.clone();
-        let deep_green = |depth| -> Result<Box<dyn Player>, Error> {
-            settings.keys(&[])?;
-            let settings = DeepGreenSettings { depth, ..DeepGreenSettings::default() };
-            Ok(Box::new(DeepGreen::with_tables(settings, self.tables.clone())))
+        let deep_green = |depth| {
+            let method = DeepGreenSettings { depth, ..DeepGreenSettings::default() };
+            settings.keys(&[]).map(|()| self.planner(method))
         };
         Ok(match name {
-            "greedy" => Box::new(Greedy::with_tables(GreedySettings::read(settings)?, tables)),
+            "greedy" => self.planner(GreedySettings::read(settings)?),
             "deep-green-0" => deep_green(0)?,
             "deep-green-1" => deep_green(1)?,
             "deep-green-2" => deep_green(2)?,
             "pool-master" => {
                 settings.keys(&[])?;
-                Box::new(PoolMaster::with_tables(PoolMasterSettings::default(), tables))
+                self.planner(PoolMasterSettings::default())
             }
-            "pick-pocket" => {
-                Box::new(PickPocket::with_tables(PickPocketSettings::read(settings)?, tables))
-            }
-            "cue-card" => Box::new(CueCard::with_tables(CueCardSettings::read(settings)?, tables)),
+            "pick-pocket" => self.planner(PickPocketSettings::read(settings)?),
+            "cue-card" => self.planner(CueCardSettings::read(settings)?),
             _ => {
                 return Err(Error::input(
                     "player",
@@ -98,6 +97,10 @@ impl Literature {
                 ));
             }
         })
+    }
+
+    fn planner<M: Method + 'static>(&self, method: M) -> Box<dyn Player> {
+        Box::new(Planner::with_tables(method, self.tables.clone()))
     }
 }
 

@@ -9,11 +9,11 @@ use carom::Error;
 use carom::format::Reader;
 
 use super::best_shots::COUNTED;
-use super::desk::{Attack, Desk, Method, decide, first_best};
+use super::desk::{Desk, first_best};
 use super::levels::{MOST_SAMPLES, NodeSearch, Rated, Rating, generate, level_one, level_two};
-use super::pot_table::PotTables;
+use super::planner::{Attack, Method, Planner};
 use super::shots::{Stroke, sampled_strokes};
-use crate::player::{Budget, Decision, Player, Situation, Spent};
+use crate::player::Spent;
 use crate::value::Position;
 
 /// Share of the budget for level one.
@@ -68,26 +68,13 @@ impl PickPocketSettings {
 }
 
 /// PickPocket.
-#[derive(Clone, Debug, Default)]
-pub struct PickPocket {
-    settings: PickPocketSettings,
-    tables: PotTables,
-}
+pub type PickPocket = Planner<PickPocketSettings>;
 
-impl PickPocket {
-    /// A player with these settings.
-    pub fn new(settings: PickPocketSettings) -> Self {
-        Self::with_tables(settings, PotTables::default())
-    }
-
-    pub(crate) const fn with_tables(settings: PickPocketSettings, tables: PotTables) -> Self {
-        Self { settings, tables }
-    }
-
+impl PickPocketSettings {
     /// The sampled strokes: a plain one of usual speed first.
     fn strokes(&self, seed: u64) -> Vec<Stroke> {
         let sampled = sampled_strokes(seed % SEQUENCES, SPEEDS);
-        core::iter::once(Stroke::plain(USUAL)).chain(sampled).take(self.settings.strokes).collect()
+        core::iter::once(Stroke::plain(USUAL)).chain(sampled).take(self.strokes).collect()
     }
 
     /// The shot that the search prefers.
@@ -97,13 +84,13 @@ impl PickPocket {
             let position = Position { frame, noise: &desk.situation.noise };
             desk.value.gain(&position, desk.seat())
         };
-        let samples = self.settings.samples.max(1);
+        let samples = self.samples.max(1);
         // Every own state of a shot is a node of level two.
         let finalist = LEAST_NODE * samples;
         let budget = desk.left(spent, 1);
         let second = ((1.0 - LEVEL_ONE) * budget as f64) as u64;
         // A budget that is too small for level two is used at level one.
-        let is_deep = self.settings.depth > 1 && second >= LEAST_FINALISTS * finalist;
+        let is_deep = self.depth > 1 && second >= LEAST_FINALISTS * finalist;
         let first = if is_deep { budget - second } else { budget };
         let generating = (GENERATING * first as f64) as u64;
         let (mut shots, plays) = generate(desk, &strokes, generating.max(1), &gain)?;
@@ -119,7 +106,7 @@ impl PickPocket {
         }
         let most = left / (rated.len() as u64 * samples);
         let search = NodeSearch { strokes: &strokes, rating: Rating::Sampled(samples), most };
-        let (values, plays) = level_two(desk, &rated, (usize::MAX, &search), &gain)?;
+        let (values, plays) = level_two(desk, &rated, usize::MAX, &search, &gain)?;
         spent.simulations += plays;
         spent.rounds += 1;
         let best = first_best(values.into_iter().zip(rated), |(value, _)| *value);
@@ -127,31 +114,17 @@ impl PickPocket {
     }
 }
 
-impl Player for PickPocket {
-    fn name(&self) -> &'static str {
-        "pick-pocket"
-    }
-
-    fn decide(
-        &mut self,
-        situation: &Situation<'_>,
-        budget: &Budget<'_>,
-    ) -> Result<Decision, Error> {
-        decide(self, situation, budget)
-    }
-}
-
-impl Method for PickPocket {
-    fn tables(&self) -> &PotTables {
-        &self.tables
+impl Method for PickPocketSettings {
+    fn name(&self) -> String {
+        "pick-pocket".into()
     }
 
     fn weights(&self) -> [f64; COUNTED] {
-        self.settings.weights
+        self.weights
     }
 
     fn safety_below(&self) -> f64 {
-        self.settings.safety_below
+        self.safety_below
     }
 
     fn attack(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {

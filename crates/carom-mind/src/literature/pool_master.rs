@@ -16,13 +16,14 @@ use carom::Error;
 use carom::math::Vec2;
 use carom_rules::{Play, Request};
 
-use super::best_shots::COUNTED;
-use super::desk::{Attack, Desk, Method, decide, first_best};
+use super::desk::{Desk, first_best};
+use super::planner::{Attack, Method, Planner};
 use super::position_grid::PositionGrid;
-use super::pot_table::{EVERY_KIND, PotTables};
-use super::shots::{Correction, PotShot, Sight, Stroke, Workbench};
+use super::pot_table::EVERY_KIND;
+use super::shots::{Correction, PotShot, Sight, Stroke};
 use crate::line::Line;
-use crate::player::{Budget, Decision, Player, Situation, Spent};
+use crate::player::Spent;
+use crate::workbench::Workbench;
 
 /// Speeds (m/s) and heights of the first strikes, from which the optimiser starts. Guess.
 const SPEEDS: [f64; 5] = [1.8, 1.0, 3.0, 0.6, 4.5];
@@ -63,11 +64,7 @@ impl Default for PoolMasterSettings {
 }
 
 /// PoolMaster.
-#[derive(Clone, Debug, Default)]
-pub struct PoolMaster {
-    settings: PoolMasterSettings,
-    tables: PotTables,
-}
+pub type PoolMaster = Planner<PoolMasterSettings>;
 
 /// A play, its probability, and the quality of the position that it leaves.
 #[derive(Clone, Copy, Debug)]
@@ -85,16 +82,7 @@ struct Task<'a> {
     grid: &'a PositionGrid,
 }
 
-impl PoolMaster {
-    /// A player with these settings.
-    pub fn new(settings: PoolMasterSettings) -> Self {
-        Self::with_tables(settings, PotTables::default())
-    }
-
-    pub(crate) const fn with_tables(settings: PoolMasterSettings, tables: PotTables) -> Self {
-        Self { settings, tables }
-    }
-
+impl PoolMasterSettings {
     /// The first strikes along the best lines of every place, and the number of simulations.
     fn starts(&self, desk: &Desk<'_>, most: u64) -> Result<(Vec<PotShot>, u64), Error> {
         let sight = desk.sight();
@@ -103,10 +91,10 @@ impl PoolMaster {
         let mut bench = Workbench::new(desk.situation.frame);
         let own = most / desk.prepared.len().max(1) as u64;
         let mut shots = Vec::new();
-        for (place, prepared) in desk.prepared.iter().enumerate() {
-            let mut lines = sight.lines(prepared, &EVERY_KIND);
-            lines.truncate(self.settings.lines);
-            let found = bench.pot_shots(&sight, (prepared, place), (&lines, &strokes), own)?;
+        for at in desk.places() {
+            let mut lines = sight.lines(at.prepared, &EVERY_KIND);
+            lines.truncate(self.lines);
+            let found = bench.pot_shots(&sight, at, &lines, &strokes, own)?;
             // The strikes of a line follow each other, the most probable line first.
             for (line, _) in &lines {
                 shots.extend(found.iter().filter(|shot| shot.line == *line).cloned());
@@ -132,7 +120,7 @@ impl PoolMaster {
             let group = &starts[first..end];
             found.extend(group.iter().map(|shot| positional(desk, shot, grid.as_ref())));
             let Some(grid) = grid else { continue };
-            for (target, quality) in grid.best(self.settings.targets, self.settings.apart) {
+            for (target, quality) in grid.best(self.targets, self.apart) {
                 let gap = |shot: &PotShot| end_gap(desk, shot, target);
                 let nearest = group.iter().min_by(|a, b| gap(a).total_cmp(&gap(b)));
                 tasks.extend(nearest.map(|start| Task { target, quality, start, grid }));
@@ -140,7 +128,7 @@ impl PoolMaster {
         }
         let promise = |task: &Task<'_>| task.start.chance * task.quality;
         tasks.sort_by(|a, b| promise(b).total_cmp(&promise(a)));
-        let cost = AIMING * u64::from(self.settings.strikes.max(1));
+        let cost = AIMING * u64::from(self.strikes.max(1));
         tasks.truncate((desk.left(spent, 0) / cost) as usize);
         let optimised = desk.budget.runner.map(
             tasks,
@@ -175,16 +163,14 @@ impl PoolMaster {
         let mut best = (end_gap(desk, shot, task.target), shot.clone());
         let mut step = FIRST_STEP;
         let end = bench.plays + most;
-        while step >= LAST_STEP && best.0 > self.settings.close {
+        while step >= LAST_STEP && best.0 > self.close {
             let mut is_better = false;
             for changed in neighbours(best.1.stroke, step) {
                 if bench.plays >= end {
                     break;
                 }
-                let aimed = (&shot.line, changed);
-                let Some(play) = bench.aimed(&sight, prepared, aimed, &mut known)? else {
-                    continue;
-                };
+                let aimed = bench.aimed(&sight, prepared, &shot.line, changed, &mut known)?;
+                let Some(play) = aimed else { continue };
                 let successor = bench.successor.clone();
                 let tried = PotShot { stroke: changed, play, successor, ..shot.clone() };
                 let gap = end_gap(desk, &tried, task.target);
@@ -277,32 +263,13 @@ fn positional(desk: &Desk<'_>, shot: &PotShot, grid: Option<&PositionGrid>) -> P
     Positional { play: shot.play, chance: shot.chance, quality }
 }
 
-impl Player for PoolMaster {
-    fn name(&self) -> &'static str {
-        "pool-master"
-    }
-
-    fn decide(
-        &mut self,
-        situation: &Situation<'_>,
-        budget: &Budget<'_>,
-    ) -> Result<Decision, Error> {
-        decide(self, situation, budget)
-    }
-}
-
-impl Method for PoolMaster {
-    fn tables(&self) -> &PotTables {
-        &self.tables
-    }
-
-    /// Only the best shot counts.
-    fn weights(&self) -> [f64; COUNTED] {
-        [1.0, 0.0, 0.0]
+impl Method for PoolMasterSettings {
+    fn name(&self) -> String {
+        "pool-master".into()
     }
 
     fn safety_below(&self) -> f64 {
-        self.settings.safety_below
+        self.safety_below
     }
 
     /// The pot with the best product of its own probability and that of the next one. A pot that

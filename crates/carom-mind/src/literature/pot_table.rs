@@ -15,7 +15,7 @@ use carom::{Error, Noise};
 use carom_rules::{Call, Frame, Options, Rules};
 use core::f64::consts::SQRT_2;
 
-use crate::aim::aim;
+use crate::aim::{AimStart, aim};
 use crate::line::{Line, LineKind, direction_error, straight_to_pocket};
 use crate::scene::Scene;
 use carom::noise::Errors;
@@ -84,7 +84,7 @@ impl PotTable {
             practice.resume_at(&places, 0)?;
             // Layouts with overlapping balls are left out.
             let Ok(prepared) = Prepared::new(&practice, None) else { continue };
-            let used = measure_layout(&prepared, k, (&mut sampler, &mut sums), &noise)?;
+            let used = measure_layout(&prepared, k, &noise, &mut sampler, &mut sums)?;
             measured += u32::from(used);
         }
         Ok(Self { noise, values: sums.values() })
@@ -117,8 +117,9 @@ impl PotTable {
 fn measure_layout(
     prepared: &Prepared<'_>,
     k: u32,
-    (sampler, sums): (&mut Sampler, &mut Sums),
     noise: &Noise,
+    sampler: &mut Sampler,
+    sums: &mut Sums,
 ) -> Result<bool, Error> {
     let scene = Scene::new(prepared.frame());
     let (Some(cue), Some(object)) = (scene.ball(0), scene.ball(1)) else { return Ok(false) };
@@ -131,7 +132,8 @@ fn measure_layout(
     let speed = SPEEDS[k as usize % SPEEDS.len()];
     let start = Strike { speed, azimuth: line.azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
     let start = Strike { elevation: prepared.shot().default_elevation(&start), ..start };
-    let aimed = aim(sampler, prepared, &line, (start, line.slope), &mut 0)?;
+    let start = AimStart { strike: start, slope: line.slope };
+    let aimed = aim(sampler, prepared, &line, start, &mut 0)?;
     let Some(aimed) = aimed.filter(|aimed| aimed.is_potted) else { return Ok(false) };
     let errors = Errors { noise: noise.clone(), perception: Perception::default(), seed: SEED };
     let pocket = scene.table.pockets[line.pocket].name;

@@ -9,18 +9,15 @@ use carom::{Error, Noise};
 use carom_rules::{Frame, Play, Turn};
 
 use super::pot_table::PotTable;
-use crate::aim::aim;
+use crate::aim::{AimStart, aim};
 use crate::line::{self, Line, LineKind};
 use crate::scene::Scene;
+use crate::search::{CuePlace, largest_offset};
 use crate::targets::{Targets, call_of};
+use crate::workbench::Workbench;
 use carom::noise::Errors;
-use carom_plan::{Prepared, Sampler};
+use carom_plan::Prepared;
 
-/// Largest tip offset of an intended strike, as a share of the miscue limit. Guess: the Olympiad's
-/// engine had no miscues, so the papers do not discuss it.
-const OFFSET_USED: f64 = 0.75;
-/// Standard deviations of the tip's error by which an intended strike keeps away from the miscue limit.
-const AWAY: f64 = 2.5;
 /// Lines that are less probable than this are not played on purpose.
 const LEAST_CHANCE: f64 = 0.02;
 /// Failed strikes after which a line without a successful one is given up.
@@ -88,12 +85,10 @@ impl<'a> Sight<'a> {
         rated
     }
 
-    /// The largest tip offset of intended strikes, ball radii.
+    /// The largest tip offset of intended strikes, ball radii. Guess: that of the searching player. The Olympiad's
+    /// engine had no miscues, so the papers do not discuss it.
     pub(crate) fn largest_offset(&self, prepared: &Prepared<'_>) -> f64 {
-        let limit = prepared.shot().miscue_limit().min(1.0);
-        let [.., side, height] = self.noise.deviations(0.0);
-        let error = side.max(height) / self.radius;
-        (limit - AWAY * error).clamp(0.0, OFFSET_USED * limit)
+        largest_offset(prepared.shot(), &self.noise, self.radius)
     }
 }
 
@@ -111,30 +106,18 @@ pub(crate) struct PotShot {
     pub(crate) successor: Frame,
 }
 
-/// The memory of one thread.
-#[derive(Debug)]
-pub(crate) struct Workbench {
-    pub(crate) sampler: Sampler,
-    pub(crate) successor: Frame,
-    /// Simulations so far.
-    pub(crate) plays: u64,
-}
-
 impl Workbench {
-    pub(crate) fn new(frame: &Frame) -> Self {
-        Self { sampler: Sampler::new(), successor: frame.clone(), plays: 0 }
-    }
-
     /// The shots along `lines` with each of `strokes` that pot their balls legally. The first stroke
     /// is tried on every line, then the second one. Ends after `most` simulations.
     ///
     /// # Errors
-    /// As [`Sampler::rule`].
+    /// As [`carom_plan::Sampler::rule`].
     pub(crate) fn pot_shots(
         &mut self,
         sight: &Sight<'_>,
-        (prepared, place): (&Prepared<'_>, usize),
-        (lines, strokes): (&[(Line, f64)], &[Stroke]),
+        at: CuePlace<'_>,
+        lines: &[(Line, f64)],
+        strokes: &[Stroke],
         most: u64,
     ) -> Result<Vec<PotShot>, Error> {
         let end = self.plays + most;
@@ -148,12 +131,12 @@ impl Workbench {
                 if known.is_hopeless() {
                     continue;
                 }
-                let play = self.aimed(sight, prepared, (line, *stroke), known)?;
+                let play = self.aimed(sight, at.prepared, line, *stroke, known)?;
                 known.failures += u32::from(play.is_none());
                 known.has_success |= play.is_some();
                 let Some(play) = play else { continue };
                 let (line, successor) = (*line, self.successor.clone());
-                let (stroke, chance) = (*stroke, *chance);
+                let (stroke, chance, place) = (*stroke, *chance, at.number);
                 found.push(PotShot { line, stroke, play, chance, place, successor });
             }
         }
@@ -164,17 +147,18 @@ impl Workbench {
     /// [`Self::successor`] is the frame after that play.
     ///
     /// # Errors
-    /// As [`Sampler::rule`].
+    /// As [`carom_plan::Sampler::rule`].
     pub(crate) fn aimed(
         &mut self,
         sight: &Sight<'_>,
         prepared: &Prepared<'_>,
-        (line, stroke): (&Line, Stroke),
+        line: &Line,
+        stroke: Stroke,
         known: &mut Correction,
     ) -> Result<Option<Play>, Error> {
         let strike = known.start(sight, prepared, line, stroke);
-        let slope = known.slope.unwrap_or(line.slope);
-        let aimed = aim(&mut self.sampler, prepared, line, (strike, slope), &mut self.plays)?;
+        let start = AimStart { strike, slope: known.slope.unwrap_or(line.slope) };
+        let aimed = aim(&mut self.sampler, prepared, line, start, &mut self.plays)?;
         let Some(aimed) = aimed.filter(|aimed| aimed.is_potted) else { return Ok(None) };
         if line.kind == LineKind::Direct {
             let turned = known.turned + aimed.strike.azimuth - strike.azimuth;
@@ -192,12 +176,13 @@ impl Workbench {
     /// keeps the turn or wins, to `each`.
     ///
     /// # Errors
-    /// As [`Sampler::simulate_variant`].
+    /// As [`carom_plan::Sampler::simulate_variant`].
     pub(crate) fn sample(
         &mut self,
         prepared: &Prepared<'_>,
         play: &Play,
-        (errors, indices): (&Errors, Range<u64>),
+        errors: &Errors,
+        indices: Range<u64>,
         mut each: impl FnMut(&Frame, bool),
     ) -> Result<(), Error> {
         let seat = prepared.frame().player().unwrap_or_default();

@@ -7,11 +7,12 @@ use carom_plan::Prepared;
 use carom_rules::{Call, Frame, FrameSimulator, Options, Play, Request, Rules};
 
 use super::levels::{NodeSearch, Rating, generate, is_searched, level_one, level_two, node_value};
-use super::shots::{Stroke, Workbench, sampled_strokes};
+use super::shots::{Stroke, sampled_strokes};
 use super::{DeepGreen, DeepGreenSettings, Literature, NAMES};
 use crate::player::{Answer, Budget, Decision, Player, Situation};
 use crate::targets::call_of;
 use crate::value::Position;
+use crate::workbench::Workbench;
 
 /// A small budget: decisions take milliseconds also without optimisation.
 const FEW: u64 = 150;
@@ -38,7 +39,7 @@ fn decide(player: &mut dyn Player, frame: &Frame, seed: u64) -> Decision {
 }
 
 /// Gives `answer` to the frame; shots are played with errors.
-fn answer(frame: &mut Frame, simulator: &mut FrameSimulator, (answer, index): (Answer, u64)) {
+fn answer(frame: &mut Frame, simulator: &mut FrameSimulator, answer: Answer, index: u64) {
     match answer {
         Answer::Choice(choice) => {
             frame.choose(choice).expect("a choice that is offered");
@@ -65,7 +66,7 @@ fn every_player_plays_a_whole_frame_of_eight_ball_against_itself() {
         let mut decisions = 0;
         while !frame.is_over() {
             let decision = decide(player.as_mut(), &frame, decisions);
-            answer(&mut frame, &mut simulator, (decision.answer, decisions));
+            answer(&mut frame, &mut simulator, decision.answer, decisions);
             decisions += 1;
             assert!(decisions < 300, "{name}: the frame does not end");
         }
@@ -127,7 +128,7 @@ fn every_player_answers_every_kind_of_request_of_all_seven_games() {
                         let mut player = literature.player(name).expect("a player");
                         let decision = decide(player.as_mut(), &frame, index);
                         let mut next = frame.clone();
-                        answer(&mut next, &mut simulator, (decision.answer, index));
+                        answer(&mut next, &mut simulator, decision.answer, index);
                     }
                     seen.push(kind);
                 }
@@ -138,7 +139,7 @@ fn every_player_answers_every_kind_of_request_of_all_seven_games() {
                 } else if frame.is_opening() && seed > 0 {
                     let mut greedy = literature.player("greedy").expect("a player");
                     let play = decide(greedy.as_mut(), &frame, index).answer;
-                    answer(&mut frame, &mut simulator, (play, index));
+                    answer(&mut frame, &mut simulator, play, index);
                 } else if let Some(play) = blind {
                     frame.play_in(&mut simulator, &play).expect("a shot");
                 }
@@ -194,7 +195,7 @@ fn a_decision_is_the_same_with_one_and_with_two_threads() {
             assert_eq!(decisions[0], decisions[1], "{name}: not repeatable");
         }
         let play = decide(greedy.as_mut(), &frame, 1).answer;
-        answer(&mut frame, &mut simulator, (play, index));
+        answer(&mut frame, &mut simulator, play, index);
     }
 }
 
@@ -250,7 +251,7 @@ fn deep_green_plays_for_position_at_depth_two_and_not_at_depth_zero() {
         let mut next = frame.clone();
         next.play(&play).expect("a shot");
         assert_eq!(next.player(), Some(0), "the first ball is potted at depth {depth}");
-        let value = super::desk::value_of(&player, &situation).expect("a value");
+        let value = player.value_of(&situation).expect("a value");
         let position = Position { frame: &next, noise: &situation.noise };
         value.best(&position, next.turn().expect("a shot"))[0]
     });
@@ -265,7 +266,7 @@ fn level_two_with_clusters_of_one_state_equals_the_full_evaluation() {
     let situation = Situation::new(&frame, Noise::olympiad(1.0), 1);
     let budget = Budget::simulations(400);
     let turn = frame.turn().expect("a shot");
-    let value = super::desk::value_of(&player, &situation).expect("a value");
+    let value = player.value_of(&situation).expect("a value");
     let desk = super::desk::Desk::new(&situation, &budget, turn, value).expect("a desk");
     let gain = |state: &Frame| {
         desk.value.gain(&Position { frame: state, noise: &situation.noise }, turn.player)
@@ -275,12 +276,12 @@ fn level_two_with_clusters_of_one_state_equals_the_full_evaluation() {
     let rated = level_one(&desk, shots, 8, &gain).expect("values");
     assert!(rated.len() > 1 && rated[0].kept > 0.0);
     let search = NodeSearch { strokes: &strokes, rating: Rating::Sampled(2), most: 30 };
-    let (values, _) = level_two(&desk, &rated, (8, &search), &gain).expect("values");
+    let (values, _) = level_two(&desk, &rated, 8, &search, &gain).expect("values");
     let mut bench = Workbench::new(&frame);
     for (rated, value) in rated.iter().zip(&values) {
         let full = rated.states.iter().map(|state| {
             if is_searched(state, &desk) {
-                node_value(&desk, &mut bench, state, (&search, &gain)).expect("a value")
+                node_value(&desk, &mut bench, state, &search, &gain).expect("a value")
             } else {
                 gain(state)
             }
@@ -289,7 +290,7 @@ fn level_two_with_clusters_of_one_state_equals_the_full_evaluation() {
         assert!((full - value).abs() < 1e-12, "{full} {value}");
     }
     // One cluster for all states is another number, so the test can fail.
-    let (coarse, _) = level_two(&desk, &rated, (1, &search), &gain).expect("values");
+    let (coarse, _) = level_two(&desk, &rated, 1, &search, &gain).expect("values");
     assert!(coarse.iter().zip(&values).any(|(a, b)| (a - b).abs() > 1e-6));
 }
 

@@ -12,8 +12,8 @@ use carom_rules::{Frame, Rules};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
-use super::pots::largest_offset;
 use super::racks::{Corrections, Racks};
+use super::strike_errors::largest_offset;
 use crate::breaks::{BreakCounts, BreakShot, speeds};
 use crate::player::Situation;
 use crate::value::Value;
@@ -163,8 +163,9 @@ impl<'a> BreakSearch<'a> {
         while shots.len() < size {
             shots.push(if is_first { self.uniform() } else { self.normal() });
         }
-        let of_shots = (shots.as_slice(), self.next_rack, racks);
-        let (counts, plays) = self.racks.count_with(&mut self.corrections, of_shots, runner)?;
+        let corrections = &mut self.corrections;
+        let (counts, plays) =
+            self.racks.count_with(corrections, &shots, self.next_rack, racks, runner)?;
         self.next_rack += racks;
         self.generation += 1;
         let mut rated = rated(shots, &counts);
@@ -192,8 +193,9 @@ impl<'a> BreakSearch<'a> {
         let (mut first, mut spent) = (FINAL_RACKS, 0);
         loop {
             let count = (most / heats / shots.len() as u64).max(1);
-            let of_shots = (shots.as_slice(), first, count);
-            let (counts, plays) = self.racks.count_with(&mut self.corrections, of_shots, runner)?;
+            let corrections = &mut self.corrections;
+            let (counts, plays) =
+                self.racks.count_with(corrections, &shots, first, count, runner)?;
             (first, spent) = (first + count, spent + plays);
             let best = rated(shots.clone(), &counts);
             let winner = best.first().ok_or_else(unplayable)?;
@@ -249,7 +251,8 @@ impl<'a> BreakSearch<'a> {
 pub(crate) fn variants(
     situation: &Situation<'_>,
     shots: &[BreakShot],
-    (spread, count): (f64, usize),
+    spread: f64,
+    count: usize,
 ) -> Result<Vec<BreakShot>, Error> {
     let frame = situation.frame;
     let (seat, _) = situation.asked()?;

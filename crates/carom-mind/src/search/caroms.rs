@@ -7,10 +7,9 @@ use carom::math::{asin, atan2, sin_cos, sqrt};
 use carom::resolve::cue_ball::Strike;
 
 use super::candidate::PlayKind;
-use super::explore::Explorer;
+use super::explore::{CuePlace, Explorer, FoundPlay, raised};
 use crate::scene::Scene;
 use crate::targets::call_of;
-use carom_plan::Prepared;
 
 /// The additive recurrence of Roberts (2018) in five dimensions: powers of 1/φ₅, where φ₅ is the
 /// real root of x⁶ = x + 1.
@@ -38,16 +37,17 @@ impl Explorer<'_> {
     ///
     /// # Errors
     /// As [`Explorer::ruled`].
-    pub(crate) fn caroms(&mut self, prepared: &Prepared<'_>, place: usize) -> Result<(), Error> {
+    pub(crate) fn caroms(&mut self, at: CuePlace<'_>, until: u64) -> Result<(), Error> {
+        let prepared = at.prepared;
         let scene = Scene::of(prepared);
-        let Some(cue) = scene.ball(self.turn.cue) else { return Ok(()) };
+        let Some(cue) = scene.ball(self.task.turn.cue) else { return Ok(()) };
         let objects: Vec<_> =
             self.targets.first.iter().filter_map(|ball| scene.ball(*ball)).collect();
         let Some(first) = objects.first().copied() else { return Ok(()) };
         let most = OFFSET * prepared.shot().miscue_limit().min(1.0);
-        let call = call_of(self.turn, first.index, None);
+        let call = call_of(self.task.turn, first.index, None);
         let mut point = [0.5; 5];
-        while !self.is_spent() {
+        while self.bench.plays < until {
             for (x, step) in point.iter_mut().zip(STEPS) {
                 *x = (*x + step) % 1.0;
             }
@@ -66,20 +66,19 @@ impl Explorer<'_> {
             let speed = SPEEDS[0] + pace * (SPEEDS[1] - SPEEDS[0]);
             let (side, height) = (offset * cos, offset * sin);
             let strike = Strike { speed, azimuth, elevation: 0.0, side, height };
-            let strike = Self::raised(prepared, strike);
-            if self.sampler.simulate(prepared, &strike).is_err() {
-                self.plays += 1;
+            let strike = raised(prepared, strike);
+            if self.bench.sampler.simulate(prepared, &strike).is_err() {
+                self.bench.plays += 1;
                 continue;
             }
-            self.plays += 1;
+            self.bench.plays += 1;
             let (value, is_legal) = self.ruled(prepared, call)?;
-            let keeps = self.successor.keeps_turn(self.seat());
-            if is_legal && keeps {
-                let kind = (PlayKind::Carom, None, CHANCE * value);
-                self.keep(strike, call, kind, (place, prepared));
-            } else if is_legal && self.found.len() < 4 {
-                let kind = (PlayKind::Safety, None, value);
-                self.keep(strike, call, kind, (place, prepared));
+            let (kind, prior) = match self.keeps_turn() {
+                true => (PlayKind::Carom, CHANCE * value),
+                false => (PlayKind::Safety, value),
+            };
+            if is_legal && (kind == PlayKind::Carom || self.found.len() < 4) {
+                self.keep(at, FoundPlay { strike, call, kind, line: None, prior });
             }
         }
         Ok(())

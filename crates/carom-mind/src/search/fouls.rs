@@ -4,14 +4,15 @@
 //! the player who has left it there. Where a foul looks best, a search of the other player's shot corrects it.
 
 use carom::Error;
-use carom_plan::{Prepared, Sampler};
+use carom_plan::Prepared;
 use carom_rules::Request;
 
 use super::candidate::Candidate;
-use super::rounds::{Rounds, SearchTask};
+use super::rounds::ShotSearch;
+use super::task::{SearchTask, ShotTask};
 use crate::player::{Budget, Situation};
-use crate::settings::SearchSettings;
 use crate::value::Position;
+use crate::workbench::Workbench;
 
 /// A play that is a foul in a larger share of its samples lives on what the foul leaves.
 const OFTEN: f64 = 0.2;
@@ -19,7 +20,7 @@ const OFTEN: f64 = 0.2;
 const SHARE: f64 = 0.15;
 const SIMULATIONS: [f64; 2] = [900.0, 5000.0];
 
-impl SearchTask<'_, '_> {
+impl SearchTask<'_> {
     /// Whether what fouls are worth decides: the first candidate is often a foul.
     fn lives_on_fouls(candidates: &[Candidate]) -> bool {
         candidates.first().is_some_and(|first| first.share(|sample| sample.foul) > OFTEN)
@@ -30,7 +31,7 @@ impl SearchTask<'_, '_> {
     /// what the decision has spent so far. The samples of the candidates are corrected, and the candidates ordered.
     ///
     /// # Errors
-    /// As [`Rounds::play`].
+    /// As [`ShotSearch::play_round`].
     pub(crate) fn doubt_fouls(
         &self,
         prepared: &[Prepared<'_>],
@@ -42,28 +43,27 @@ impl SearchTask<'_, '_> {
         }
         let first = &candidates[0];
         let Some(played) = first.samples.iter().find(|sample| sample.foul) else { return Ok(None) };
-        let (mut sampler, mut successor) = (Sampler::new(), self.situation.frame.clone());
+        let ShotTask { situation, turn: own_turn, value } = self.shot;
+        let Workbench { mut sampler, mut successor, .. } = Workbench::new(situation.frame);
         let position = &prepared[first.place];
         sampler.simulate(position, &played.executed)?;
         sampler.rule(position, first.play.call, &mut successor)?;
         let Request::Shot(turn) = successor.request() else { return Ok(None) };
-        let situation = Situation { frame: &successor, ..self.situation.clone() };
+        let situation = &Situation { frame: &successor, ..situation.clone() };
         let simulations = (SHARE * spent as f64).clamp(SIMULATIONS[0], SIMULATIONS[1]) as u64;
         let Budget { is_over, ref runner, .. } = *self.budget;
-        let budget = Budget { simulations, rounds: None, is_over, runner: runner.clone() };
-        let settings = SearchSettings { stated: 1, ..*self.settings };
-        let (value, situation) = (self.value, &situation);
-        let reply = SearchTask { situation, turn, value, settings: &settings, budget: &budget };
+        let budget = &Budget { simulations, rounds: None, is_over, runner: runner.clone() };
+        let reply = SearchTask { shot: ShotTask { situation, turn, value }, budget, ..*self };
         // A foul of the other player is not doubted in its turn.
-        let mut rounds = Rounds::new(&reply).without_doubts();
-        while rounds.play(&reply)? {}
-        let found = rounds.end(&reply)?;
+        let mut search = ShotSearch::new(reply, 1).without_doubts();
+        while search.play_round()? {}
+        let found = search.found()?;
         let cost = found.spent.simulations;
         let Some(best) = found.candidates.first() else { return Ok(None) };
-        let is_own = turn.player == self.turn.player;
+        let is_own = turn.player == own_turn.player;
         let searched = if is_own { best.stated_win() } else { 1.0 - best.stated_win() };
         let position = Position { frame: &successor, noise: &situation.noise };
-        let correction = searched - value.win_chance(&position, self.turn.player);
+        let correction = searched - value.win_chance(&position, own_turn.player);
         for sample in candidates.iter_mut().flat_map(|candidate| &mut candidate.samples) {
             if sample.foul {
                 sample.value = (sample.value + correction).clamp(0.0, 1.0);

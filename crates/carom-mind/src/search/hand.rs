@@ -3,9 +3,10 @@
 use carom::math::{Vec2, sin_cos};
 use carom_rules::Region;
 
-use super::explore::Explorer;
+use super::task::ShotTask;
 use crate::line::straight_to_pocket;
 use crate::scene::{Scene, SceneBall};
+use crate::targets::Targets;
 
 /// Distances behind the object ball, in ball radii, and cut angles (rad; 0, ±15°, ±30°, ±45°).
 const BEHIND: [f64; 4] = [5.0, 9.0, 15.0, 24.0];
@@ -15,17 +16,16 @@ const MOST: usize = 10;
 /// Places nearer to each other than this, m, count as one.
 const APART: f64 = 0.12;
 
-impl Explorer<'_> {
+impl ShotTask<'_> {
     /// Places from which a ball on can be potted, the best first, and at least one place in the
     /// region. File frame, m.
     pub(crate) fn places(&self, region: Region) -> Vec<[f64; 2]> {
-        let frame = self.situation.frame;
-        let scene = Scene::new(frame);
-        let noise = &self.situation.noise[self.seat()];
-        let radius = frame.layout().balls()[usize::from(self.turn.cue)].ball.radius;
+        let scene = Scene::new(self.frame());
+        let (noise, radius) = (self.noise(), self.cue_radius());
+        let targets = Targets::of(self.frame(), self.turn);
         let middle = scene.table.center();
         let mut rated: Vec<(f64, [f64; 2])> = Vec::new();
-        let objects = self.targets.first.iter().filter_map(|ball| scene.ball(*ball));
+        let objects = targets.first.iter().filter_map(|ball| scene.ball(*ball));
         for object in objects {
             for pocket in 0..scene.table.pockets.len() {
                 let Some(window) = scene.window(object.center, object.radius, pocket) else {
@@ -37,7 +37,7 @@ impl Explorer<'_> {
                         let way = window.way * cos + window.way.perp() * sin;
                         let center = object.center - way * (distance * object.radius);
                         let place = [center.x + middle.x, center.y + middle.y];
-                        if !self.may_stand(&scene, region, (center, place), radius) {
+                        if !self.may_stand(&scene, region, center, place) {
                             continue;
                         }
                         let cue = SceneBall { index: self.turn.cue, center, radius };
@@ -63,13 +63,13 @@ impl Explorer<'_> {
             }
         }
         if places.is_empty() {
-            places.extend(self.any_place(&scene, region, radius));
+            places.extend(self.any_place(&scene, region));
         }
         places
     }
 
     /// Free places of the region on a grid, one near its middle first.
-    fn any_place(&self, scene: &Scene<'_>, region: Region, radius: f64) -> Option<[f64; 2]> {
+    fn any_place(&self, scene: &Scene<'_>, region: Region) -> Option<[f64; 2]> {
         const STEPS: i32 = 24;
         let [low, high] = region.bounds(scene.table);
         let middle = scene.table.center();
@@ -82,19 +82,14 @@ impl Explorer<'_> {
         grid.sort_by_key(|(i, j)| (2 * i - STEPS).abs() + (2 * j - STEPS).abs());
         grid.into_iter().map(|(i, j)| [at(i, 0), at(j, 1)]).find(|place| {
             let center = Vec2::new(place[0], place[1]) - middle;
-            self.may_stand(scene, region, (center, *place), radius)
+            self.may_stand(scene, region, center, *place)
         })
     }
 
     /// Whether the cue ball may be placed at `center` (engine's frame), which is `place` in the
     /// file's frame.
-    fn may_stand(
-        &self,
-        scene: &Scene<'_>,
-        region: Region,
-        (center, place): (Vec2, [f64; 2]),
-        radius: f64,
-    ) -> bool {
+    fn may_stand(&self, scene: &Scene<'_>, region: Region, center: Vec2, place: [f64; 2]) -> bool {
+        let radius = self.cue_radius();
         scene.table.place_check(center, radius).is_inside()
             && region.holds(scene.table, place)
             && scene.is_clear_place(center, radius, &[self.turn.cue])
@@ -107,7 +102,7 @@ mod tests {
     use carom::format::Node;
     use carom::resolve::cue_ball::Strike;
     use carom_plan::Prepared;
-    use carom_rules::{Call, Frame, FrameSimulator, Options, Play, Request, Rules};
+    use carom_rules::{Call, Frame, FrameSimulator, Options, Play, Rules};
 
     use super::*;
     use crate::player::Situation;
@@ -127,19 +122,18 @@ mod tests {
         let strike = Strike { speed: 0.1, azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
         let foul = Play { call: Call::Safety, ..Play::new(strike) };
         frame.play_in(&mut FrameSimulator::new(), &foul).expect("a shot");
-        let Request::Shot(turn) = frame.request() else { panic!("another request") };
-        let region = turn.hand.expect("a ball in hand");
         let situation = Situation::new(&frame, Noise::olympiad(1.0), 1);
         let value = Markov::default();
-        let explorer = Explorer::new(&situation, &value, turn, 0);
+        let task = ShotTask::new(&situation, &value).expect("a shot");
+        let region = task.turn.hand.expect("a ball in hand");
         let scene = Scene::new(&frame);
-        let (middle, radius) = (scene.table.center(), 0.028575);
+        let middle = scene.table.center();
         let mut count = 0;
         for k in 0..4000 {
             // Millimetres near the pocket at the bottom right.
             let place = [1.05 + 0.001 * f64::from(k % 60), 0.001 * f64::from(k / 60)];
             let center = Vec2::new(place[0], place[1]) - middle;
-            if explorer.may_stand(&scene, region, (center, place), radius) {
+            if task.may_stand(&scene, region, center, place) {
                 Prepared::new(&frame, Some(place)).expect("a place on the cloth");
                 count += 1;
             }

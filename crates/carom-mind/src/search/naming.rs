@@ -119,9 +119,9 @@ impl Explorer<'_> {
         }
         let table = prepared.shot().table();
         let mut recorder = ContactRecorder { table, contacts: Vec::new() };
-        self.plays += 1;
+        self.bench.plays += 1;
         let strike = &candidate.play.strike;
-        if self.sampler.simulate_recorded(prepared, strike, &mut recorder).is_err() {
+        if self.bench.sampler.simulate_recorded(prepared, strike, &mut recorder).is_err() {
             return Ok(());
         }
         let meant = match candidate.play.call {
@@ -132,18 +132,19 @@ impl Explorer<'_> {
         candidate.legs.clear();
         candidate.kind = PlayKind::Safety;
         let (_, is_legal) = self.ruled(prepared, candidate.play.call)?;
-        if !is_legal || !self.successor.keeps_turn(self.seat()) {
+        if !is_legal || !self.keeps_turn() {
             return Ok(());
         }
-        if self.situation.frame.rules() == Rules::ThreeCushion {
+        if self.task.frame().rules() == Rules::ThreeCushion {
             candidate.kind = PlayKind::Carom;
             return Ok(());
         }
-        let falls = |pot: &(BallIndex, PocketName)| self.sampler.outcome().pocketed.contains(pot);
+        let falls =
+            |pot: &(BallIndex, PocketName)| self.bench.sampler.outcome().pocketed.contains(pot);
         let Some(pot) = meant.filter(falls).or_else(|| self.potted()) else { return Ok(()) };
         candidate.pot = Some(pot);
         let in_shot = |ball| crate::aim::index_in_shot(prepared, ball);
-        let way = in_shot(self.turn.cue)
+        let way = in_shot(self.task.turn.cue)
             .zip(in_shot(pot.0))
             .and_then(|(cue, object)| way_of(&recorder.contacts, cue, object));
         let (kind, legs) = way

@@ -4,17 +4,16 @@
 use carom::Error;
 use carom::math::{Vec2, atan2};
 use carom::resolve::cue_ball::Strike;
-use carom_rules::{Region, Rules, Turn};
+use carom_rules::{Play, Region, Rules};
 
 use super::break_search::{BreakSearch, variants};
 use super::candidate::PlayKind;
-use super::explore::Explorer;
+use super::explore::{CuePlace, Explorer, FoundPlay, cue_places, raised};
+use super::task::{SearchTask, ShotTask};
 use crate::breaks::{BreakShot, Fit, found};
-use crate::player::{Budget, Situation, Spent};
+use crate::player::Spent;
 use crate::scene::Scene;
-use crate::settings::SearchSettings;
 use crate::targets::call_of;
-use crate::value::Value;
 use carom_plan::Prepared;
 
 /// A break is searched if a decision has at least this many simulations; with fewer the best known one
@@ -44,11 +43,10 @@ const PRIOR_STEP: f64 = 1e-3;
 /// # Errors
 /// As [`BreakSearch::step`], and [`Error::Input`] for a given break that cannot be played.
 pub(crate) fn opening_shots(
-    situation: &Situation<'_>,
-    turn: &Turn,
-    (value, settings): (&dyn Value, &SearchSettings),
-    (budget, spent): (&Budget<'_>, &mut Spent),
+    task: &SearchTask<'_>,
+    spent: &mut Spent,
 ) -> Result<Vec<BreakShot>, Error> {
+    let SearchTask { shot: ShotTask { situation, turn, value }, settings, budget } = *task;
     let frame = situation.frame;
     let game = frame.rules().rack();
     if let Some(shot) = settings.break_shot.fixed(game) {
@@ -76,7 +74,7 @@ pub(crate) fn opening_shots(
     }
     let size = RACED.min(budget.simulations);
     let count = (size / PER_BREAK).clamp(1, MOST_BREAKS) as usize;
-    variants(situation, &shots, (if is_known { NEAR } else { FAR }, count))
+    variants(situation, &shots, if is_known { NEAR } else { FAR }, count)
 }
 
 /// Places of the cue ball across the region, as shares of its width, and depths behind its far
@@ -88,44 +86,17 @@ const SPEEDS: [f64; 3] = [8.0, 6.5, 9.5];
 const HEIGHTS: [f64; 3] = [0.1, -0.1, 0.25];
 const HITS: [f64; 3] = [0.0, 0.12, -0.12];
 
-impl Explorer<'_> {
-    /// Adds opening shots, each from its own place. Their order is the order of their priors.
-    ///
-    /// # Errors
-    /// As [`Explorer::ruled`].
-    pub(crate) fn openings(
-        &mut self,
-        shots: &[BreakShot],
-        prepared: &[Prepared<'_>],
-    ) -> Result<(), Error> {
-        let kind = match self.situation.frame.rules() {
-            Rules::StraightPool | Rules::Snooker => PlayKind::Safety,
-            Rules::ThreeCushion => PlayKind::Carom,
-            _ => PlayKind::Break,
-        };
-        for (k, (shot, position)) in shots.iter().zip(prepared).enumerate() {
-            let play = shot.play_of(position)?;
-            if self.sampler.simulate(position, &play.strike).is_err() {
-                continue;
-            }
-            self.plays += 1;
-            self.ruled(position, play.call)?;
-            let prior = 1.0 - PRIOR_STEP * k as f64;
-            self.keep(play.strike, play.call, (kind, None, prior), (k, position));
-        }
-        Ok(())
-    }
-
+impl ShotTask<'_> {
     /// Places of the cue ball for an opening shot, file frame, m.
     pub(crate) fn opening_places(&self, region: Region) -> Vec<[f64; 2]> {
-        let table = self.situation.frame.base().table();
+        let table = self.frame().base().table();
         let [low, high] = region.bounds(table);
         let mut places = Vec::new();
         for behind in BEHIND {
             for across in ACROSS {
                 let x = low[0] + across * (high[0] - low[0]);
                 let y = high[1] - behind * (high[1] - low[1]);
-                let is_free = Prepared::new(self.situation.frame, Some([x, y])).is_ok();
+                let is_free = Prepared::new(self.frame(), Some([x, y])).is_ok();
                 if region.holds(table, [x, y]) && is_free {
                     places.push([x, y]);
                 }
@@ -137,18 +108,48 @@ impl Explorer<'_> {
     /// Whether the opening shot of this game spreads the balls.
     pub(crate) fn breaks_hard(&self) -> bool {
         matches!(
-            self.situation.frame.rules(),
+            self.frame().rules(),
             Rules::EightBall | Rules::NineBall | Rules::TenBall | Rules::Practice
         )
+    }
+}
+
+impl Explorer<'_> {
+    /// Adds opening shots, each from its own place. Their order is the order of their priors.
+    ///
+    /// # Errors
+    /// As [`Explorer::ruled`].
+    pub(crate) fn openings(
+        &mut self,
+        shots: &[BreakShot],
+        prepared: &[Prepared<'_>],
+    ) -> Result<(), Error> {
+        let kind = match self.task.frame().rules() {
+            Rules::StraightPool | Rules::Snooker => PlayKind::Safety,
+            Rules::ThreeCushion => PlayKind::Carom,
+            _ => PlayKind::Break,
+        };
+        for (shot, at) in shots.iter().zip(cue_places(prepared)) {
+            let Play { strike, call, .. } = shot.play_of(at.prepared)?;
+            if self.bench.sampler.simulate(at.prepared, &strike).is_err() {
+                continue;
+            }
+            self.bench.plays += 1;
+            self.ruled(at.prepared, call)?;
+            let prior = 1.0 - PRIOR_STEP * at.number as f64;
+            self.keep(at, FoundPlay { strike, call, kind, line: None, prior });
+        }
+        Ok(())
     }
 
     /// Adds hard breaks from one place. All have the same prior: the race decides.
     ///
     /// # Errors
     /// As [`Explorer::ruled`].
-    pub(crate) fn breaks(&mut self, prepared: &Prepared<'_>, place: usize) -> Result<(), Error> {
+    pub(crate) fn breaks(&mut self, at: CuePlace<'_>, until: u64) -> Result<(), Error> {
+        let prepared = at.prepared;
         let scene = Scene::of(prepared);
-        let Some(cue) = scene.ball(self.turn.cue) else { return Ok(()) };
+        let Some(cue) = scene.ball(self.task.turn.cue) else { return Ok(()) };
         let nearest = |ball: &&crate::scene::SceneBall| {
             let way: Vec2 = ball.center - cue.center;
             (way.length_squared() * 1e9) as u64
@@ -162,15 +163,16 @@ impl Explorer<'_> {
                 for hit in HITS {
                     let azimuth = middle + hit * (head.radius + cue.radius) / distance;
                     let strike = Strike { speed, azimuth, elevation: 0.0, side: 0.0, height };
-                    let strike = Self::raised(prepared, strike);
-                    if self.is_spent() || self.sampler.simulate(prepared, &strike).is_err() {
+                    let strike = raised(prepared, strike);
+                    let is_spent = self.bench.plays >= until;
+                    if is_spent || self.bench.sampler.simulate(prepared, &strike).is_err() {
                         continue;
                     }
-                    self.plays += 1;
-                    let call = call_of(self.turn, head.index, None);
-                    let (value, _) = self.ruled(prepared, call)?;
-                    let kind = (PlayKind::Break, None, value);
-                    self.keep(strike, call, kind, (place, prepared));
+                    self.bench.plays += 1;
+                    let call = call_of(self.task.turn, head.index, None);
+                    let (prior, _) = self.ruled(prepared, call)?;
+                    let kind = PlayKind::Break;
+                    self.keep(at, FoundPlay { strike, call, kind, line: None, prior });
                 }
             }
         }

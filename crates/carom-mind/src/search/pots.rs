@@ -2,15 +2,16 @@
 
 use core::f64::consts::TAU;
 
+use carom::Error;
 use carom::math::{exp, log, sin_cos, sqrt};
 use carom::resolve::cue_ball::Strike;
-use carom::{Error, Noise, Shot};
 use carom_rules::Call;
 
 use super::candidate::PlayKind;
-use super::explore::Explorer;
+use super::explore::{CuePlace, Explorer, FoundPlay, raised};
+use super::strike_errors::largest_offset;
 use super::windows::MeantPot;
-use crate::aim::aim;
+use crate::aim::{AimStart, aim};
 use crate::line::{self, Line, LineKind};
 use crate::scene::Scene;
 use crate::targets::call_of;
@@ -26,12 +27,6 @@ const SIDES: [f64; 3] = [0.0, -0.7, 0.7];
 const COARSE_HEIGHTS: usize = 3;
 /// Number of strikes of the coarse lattice.
 const COARSE: usize = COARSE_HEIGHTS * (SPEEDS.len() / 2);
-/// Largest offset of the tip as a share of the miscue limit, without errors. Near the limit a small
-/// error of the tip would slip off.
-const OFFSET_USED: f64 = 0.75;
-/// Number of standard deviations of the tip's errors by which a play keeps away from the miscue
-/// limit. Drawn strikes beyond it are moved back, so they must not look attractive.
-const AWAY: f64 = 2.5;
 /// Lines that are less probable than this are not tried. For a decision neither are those that are less probable
 /// than this share of the most probable one; a list has them.
 const LEAST_CHANCE: f64 = 0.02;
@@ -88,16 +83,17 @@ impl KnownLine {
 }
 
 impl Explorer<'_> {
-    /// The lines of a prepared position, the most probable first. `place` is its number.
-    pub(crate) fn lines(&self, prepared: &Prepared<'_>, place: usize) -> Vec<KnownLine> {
+    /// The lines of a prepared position, the most probable first.
+    pub(crate) fn lines(&self, at: CuePlace<'_>) -> Vec<KnownLine> {
+        let CuePlace { number: place, prepared } = at;
         let scene = Scene::of(prepared);
         let mut lines = Vec::new();
         line::direct(&scene, &self.targets, &mut lines);
         line::combinations(&scene, &self.targets, &mut lines);
         line::banks(&scene, &self.targets, &mut lines);
         line::kicks(&scene, &self.targets, &mut lines);
-        let noise = &self.situation.noise[self.seat()];
-        let radius = scene.ball(self.turn.cue).map_or(0.03, |ball| ball.radius);
+        let noise = self.task.noise();
+        let radius = scene.ball(self.task.turn.cue).map_or(0.03, |ball| ball.radius);
         let physics = prepared.shot().physics();
         let rolling = physics.gravity * physics.cloth.rolling_friction.at(SPEEDS[0]);
         let known = |line: Line| {
@@ -108,7 +104,7 @@ impl Explorer<'_> {
         };
         let mut rated: Vec<KnownLine> = lines.into_iter().map(known).collect();
         let best = rated.iter().map(|known| known.chance).fold(0.0, f64::max);
-        let share = if self.lists { 0.0 } else { LEAST_SHARE };
+        let share = if self.is_list { 0.0 } else { LEAST_SHARE };
         rated.retain(|known| known.chance > LEAST_CHANCE.max(share * best));
         rated.sort_by(|a, b| b.chance.total_cmp(&a.chance));
         rated.truncate(MOST_LINES);
@@ -124,10 +120,11 @@ impl Explorer<'_> {
         &mut self,
         prepared: &Prepared<'_>,
         lines: &mut [KnownLine],
+        until: u64,
     ) -> Result<(), Error> {
         for upto in self.coarse_steps() {
             for known in lines.iter_mut() {
-                self.coarse_pots(prepared, known, upto)?;
+                self.coarse_pots(prepared, known, upto, until)?;
             }
         }
         for known in lines.iter_mut().filter(|known| known.is_made()) {
@@ -135,7 +132,7 @@ impl Explorer<'_> {
                 for height in 0..HEIGHTS.len() {
                     for side in 0..SIDES.len() {
                         let is_coarse = speed % 2 == 1 && height < COARSE_HEIGHTS && side == 0;
-                        if !is_coarse && !self.is_spent() {
+                        if !is_coarse && self.bench.plays < until {
                             self.lattice_pot(prepared, known, [speed, height, side])?;
                         }
                     }
@@ -153,10 +150,11 @@ impl Explorer<'_> {
         &mut self,
         prepared: &[Prepared<'_>],
         lines: &mut [KnownLine],
+        until: u64,
     ) -> Result<(), Error> {
         for upto in self.coarse_steps() {
             for known in lines.iter_mut() {
-                self.coarse_pots(&prepared[known.place], known, upto)?;
+                self.coarse_pots(&prepared[known.place], known, upto, until)?;
             }
         }
         Ok(())
@@ -165,7 +163,7 @@ impl Explorer<'_> {
     /// The numbers of strikes of the coarse lattice up to which every line is tried before the next one: a
     /// list wants every line at least once, a decision all strikes of the most probable ones.
     fn coarse_steps(&self) -> core::ops::RangeInclusive<usize> {
-        let least = if self.lists { 1 } else { COARSE };
+        let least = if self.is_list { 1 } else { COARSE };
         least..=COARSE
     }
 
@@ -176,8 +174,9 @@ impl Explorer<'_> {
         prepared: &Prepared<'_>,
         known: &mut KnownLine,
         upto: usize,
+        until: u64,
     ) -> Result<(), Error> {
-        while known.tried < upto && !self.is_spent() {
+        while known.tried < upto && self.bench.plays < until {
             let (speed, height) = (known.tried / COARSE_HEIGHTS, known.tried % COARSE_HEIGHTS);
             known.tried += 1;
             self.lattice_pot(prepared, known, [2 * speed + 1, height, 0])?;
@@ -195,7 +194,7 @@ impl Explorer<'_> {
         let most = self.largest_offset(prepared);
         let (height, side) = (HEIGHTS[height], SIDES[side]);
         let out = sqrt(height * height + side * side).max(1.0);
-        self.pot(prepared, known, (SPEEDS[speed], [most * side / out, most * height / out]))
+        self.pot(prepared, known, SPEEDS[speed], [most * side / out, most * height / out])
     }
 
     /// Adds strikes with any speed and spin on the lines on which something was found, those with the
@@ -208,16 +207,17 @@ impl Explorer<'_> {
         prepared: &[Prepared<'_>],
         lines: &mut [KnownLine],
         first: u64,
+        until: u64,
     ) -> Result<u64, Error> {
         let best = lines.iter().map(|known| known.best).fold(0.0, f64::max);
-        let spread = SPREAD[usize::from(self.lists)];
+        let spread = SPREAD[usize::from(self.is_list)];
         let weights: Vec<f64> = lines
             .iter()
             .map(|known| if known.is_made() { exp((known.best - best) / spread) } else { 0.0 })
             .collect();
         let all: f64 = weights.iter().sum();
         let mut index = first;
-        while !self.is_spent() && all > 0.0 {
+        while self.bench.plays < until && all > 0.0 {
             index += 1;
             let [pick, pace, angle, out] = sequence_point(index);
             let mut left = pick * all;
@@ -231,16 +231,15 @@ impl Explorer<'_> {
             let (sin, cos) = sin_cos(TAU * angle);
             let speed = LIMITS[0] * exp(pace * log(LIMITS[1] / LIMITS[0]));
             // A strike that cannot be played costs nothing, but the loop has to end.
-            let before = self.plays;
-            self.pot(position, known, (speed, [offset * cos, offset * sin]))?;
-            self.plays = self.plays.max(before + 1);
+            let before = self.bench.plays;
+            self.pot(position, known, speed, [offset * cos, offset * sin])?;
+            self.bench.plays = self.bench.plays.max(before + 1);
         }
         Ok(index)
     }
 
     pub(crate) fn largest_offset(&self, prepared: &Prepared<'_>) -> f64 {
-        let radius = self.situation.frame.layout().balls()[usize::from(self.turn.cue)].ball.radius;
-        largest_offset(prepared.shot(), &self.situation.noise[self.seat()], radius)
+        largest_offset(prepared.shot(), self.task.noise(), self.task.cue_radius())
     }
 
     /// Aims one strike along a line and keeps it if it pots the ball legally. `offsets` are the side
@@ -249,16 +248,17 @@ impl Explorer<'_> {
         &mut self,
         prepared: &Prepared<'_>,
         known: &mut KnownLine,
-        (speed, offsets): (f64, [f64; 2]),
+        speed: f64,
+        offsets: [f64; 2],
     ) -> Result<(), Error> {
         if speed <= known.too_slow {
             return Ok(());
         }
-        let start = start(prepared, known, (speed, offsets));
+        let start = start(prepared, known, speed, offsets);
         let line = known.line;
         let mut plays = 0;
-        let aimed = aim(&mut self.sampler, prepared, &line, start, &mut plays);
-        self.plays += plays;
+        let aimed = aim(&mut self.bench.sampler, prepared, &line, start, &mut plays);
+        self.bench.plays += plays;
         let Some(aimed) = aimed? else { return Ok(()) };
         if !aimed.is_potted {
             if speed < SLOW * known.least_speed {
@@ -269,30 +269,30 @@ impl Explorer<'_> {
         let turned = aimed.strike.azimuth - geometric_azimuth(prepared, &line, offsets[0]);
         known.turned = Some((turned, aimed.slope));
         let pot = line.pot(prepared.shot().table());
-        let call = call_of(self.turn, line.first, Some(pot));
+        let call = call_of(self.task.turn, line.first, Some(pot));
         let (value, is_legal) = self.ruled(prepared, call)?;
         if !is_legal {
             return Ok(());
         }
-        if self.measures_windows {
-            let kind = PlayKind::Pot(line.kind);
+        let (kind, at) = (PlayKind::Pot(line.kind), CuePlace { number: known.place, prepared });
+        if self.direct_pots.is_some() {
             let meant = MeantPot { pot, call, kind, line: Some(line) };
             let error = self.line_error(prepared, &line, &aimed)?;
-            let prior = self.center((prepared, known.place), aimed.strike, meant, error)?;
+            let prior = self.center(at, aimed.strike, meant, error)?;
             known.best = known.best.max(prior.unwrap_or_default());
             return Ok(());
         }
         let missed = match known.missed[nearest_speed(speed)] {
             Some(missed) => missed,
             None => {
-                let missed = self.missed(prepared, &line, (&aimed.strike, call))?;
+                let missed = self.missed(prepared, &line, &aimed.strike, call)?;
                 *known.missed[nearest_speed(speed)].insert(missed)
             }
         };
         let prior = known.chance * value + (1.0 - known.chance) * missed.min(value);
         known.best = known.best.max(prior);
-        let kind = PlayKind::Pot(line.kind);
-        self.keep(aimed.strike, call, (kind, Some(line), prior), (known.place, prepared));
+        let strike = aimed.strike;
+        self.keep(at, FoundPlay { strike, call, kind, line: Some(line), prior });
         Ok(())
     }
 
@@ -302,17 +302,18 @@ impl Explorer<'_> {
         &mut self,
         prepared: &Prepared<'_>,
         line: &Line,
-        (strike, call): (&Strike, Call),
+        strike: &Strike,
+        call: Call,
     ) -> Result<f64, Error> {
-        let end = self.successor.clone();
+        let end = self.bench.successor.clone();
         let mut sum = 0.0;
         for side in [-1.0, 1.0] {
             let azimuth = strike.azimuth + side * MISS * line.tolerance;
-            self.sampler.simulate(prepared, &Strike { azimuth, ..*strike })?;
-            self.plays += 1;
+            self.bench.sampler.simulate(prepared, &Strike { azimuth, ..*strike })?;
+            self.bench.plays += 1;
             sum += self.ruled(prepared, call)?.0;
         }
-        self.successor = end;
+        self.bench.successor = end;
         Ok(0.5 * sum)
     }
 }
@@ -329,27 +330,20 @@ fn nearest_speed(speed: f64) -> usize {
     (0..SPEEDS.len()).min_by(order).unwrap_or(0)
 }
 
-/// The largest tip offset of intended strikes, ball radii. `radius` is the cue ball's, m.
-pub(crate) fn largest_offset(shot: &Shot, noise: &Noise, radius: f64) -> f64 {
-    let limit = shot.miscue_limit().min(1.0);
-    let [.., side, height] = noise.deviations(0.0);
-    let error = side.max(height) / radius;
-    (limit - AWAY * error).clamp(0.0, OFFSET_USED * limit)
-}
-
-/// The strike with which the aiming along a line starts, and the slope of the miss.
+/// The strike with which the aiming along a line starts.
 fn start(
     prepared: &Prepared<'_>,
     known: &KnownLine,
-    (speed, [side, height]): (f64, [f64; 2]),
-) -> (Strike, f64) {
+    speed: f64,
+    [side, height]: [f64; 2],
+) -> AimStart {
     let line = &known.line;
     // The throw and the bend of a similar strike are a better start than none.
     let (turned, slope) = known.turned.unwrap_or((0.0, line.slope));
     let turned = if line.kind == LineKind::Direct { turned } else { 0.0 };
     let azimuth = geometric_azimuth(prepared, line, side) + turned.clamp(-0.03, 0.03);
     let strike = Strike { speed, azimuth, elevation: 0.0, side, height };
-    (Explorer::raised(prepared, strike), slope)
+    AimStart { strike: raised(prepared, strike), slope }
 }
 
 /// The azimuth along a line by geometry and squirt alone. `side` is that of the tip, ball radii.

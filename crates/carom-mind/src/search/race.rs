@@ -8,14 +8,15 @@ use core::ops::Range;
 
 use carom::Error;
 use carom::runner::Runner;
-use carom_rules::{Frame, Seat};
 
 use super::candidate::{Candidate, PlayedVariant};
 use super::even_errors::EvenErrors;
+use super::task::{SearchTask, ShotTask};
 use crate::player::Situation;
-use crate::value::{Position, Value};
+use crate::value::Position;
+use crate::workbench::Workbench;
 use carom::noise::Errors;
-use carom_plan::{Prepared, Sampler};
+use carom_plan::Prepared;
 
 /// Samples of a candidate that one thread plays at a time: about a tenth of a millisecond of work.
 const CHUNK: u64 = 8;
@@ -25,10 +26,8 @@ const FRESH: u64 = 1 << 40;
 /// What is raced.
 #[derive(Clone, Copy)]
 pub(crate) struct Race<'a> {
-    pub(crate) situation: &'a Situation<'a>,
-    pub(crate) value: &'a dyn Value,
+    pub(crate) shot: ShotTask<'a>,
     pub(crate) prepared: &'a [Prepared<'a>],
-    pub(crate) seat: Seat,
     pub(crate) runner: &'a Runner,
     /// Whether all candidates have the same errors.
     pub(crate) common_errors: bool,
@@ -36,12 +35,20 @@ pub(crate) struct Race<'a> {
     pub(crate) foul_correction: f64,
 }
 
+impl<'a> SearchTask<'a> {
+    /// The race between plays from these positions; `foul_correction` is added to the value of a foul.
+    pub(crate) fn race(&self, prepared: &'a [Prepared<'a>], foul_correction: f64) -> Race<'a> {
+        let (shot, runner) = (self.shot, &self.budget.runner);
+        Race { shot, prepared, runner, common_errors: self.settings.common_errors, foul_correction }
+    }
+}
+
 impl Race<'_> {
     /// Orders `candidates` by their values, the best first, with at most `simulations` samples.
     /// Returns their number.
     ///
     /// # Errors
-    /// As [`Sampler::simulate_variant`].
+    /// As [`carom_plan::Sampler::simulate_variant`].
     pub(crate) fn run(&self, candidates: &mut [Candidate], simulations: u64) -> Result<u64, Error> {
         let mut left = candidates.len();
         let mut spent = 0;
@@ -72,7 +79,7 @@ impl Race<'_> {
     /// Adds samples to the candidates that have fewer than `least`. Returns their number.
     ///
     /// # Errors
-    /// As [`Sampler::simulate_variant`].
+    /// As [`carom_plan::Sampler::simulate_variant`].
     pub(crate) fn fill(&self, candidates: &mut [Candidate], least: u64) -> Result<u64, Error> {
         let have = |candidate: &Candidate| candidate.samples.len() as u64;
         let few = candidates.iter().enumerate().filter(|(_, candidate)| have(candidate) < least);
@@ -89,7 +96,7 @@ impl Race<'_> {
     /// Adds `samples` fresh samples to each candidate. Returns their number.
     ///
     /// # Errors
-    /// As [`Sampler::simulate_variant`].
+    /// As [`carom_plan::Sampler::simulate_variant`].
     pub(crate) fn freshen(&self, candidates: &mut [Candidate], samples: u64) -> Result<u64, Error> {
         let first = |candidate: &Candidate| FRESH + candidate.fresh.len() as u64;
         let jobs = candidates.iter().enumerate();
@@ -116,22 +123,20 @@ impl Race<'_> {
         });
         let played = self.runner.map(
             jobs,
-            || (Sampler::new(), self.situation.frame.clone()),
-            |(sampler, successor), (k, indices)| {
-                let chunk = self.play(&candidates[k], (sampler, successor), indices)?;
-                Ok((k, chunk))
-            },
+            || Workbench::new(self.shot.frame()),
+            |bench, (k, indices)| Ok((k, self.play(&candidates[k], bench, indices)?)),
         );
         played.into_iter().collect()
     }
 
-    /// Plays variants of one candidate. The last successor stays in `successor`.
-    pub(crate) fn play(
+    /// Plays variants of one candidate.
+    fn play(
         &self,
         candidate: &Candidate,
-        (sampler, successor): (&mut Sampler, &mut Frame),
+        bench: &mut Workbench,
         indices: Range<u64>,
     ) -> Result<Vec<PlayedVariant>, Error> {
+        let Workbench { sampler, successor, .. } = bench;
         let prepared = &self.prepared[candidate.place];
         let (errors, struck) = (self.errors_of(candidate), prepared.struck_ball());
         let (cue, even) = (prepared.turn().cue, EvenErrors::new(errors.seed));
@@ -147,10 +152,10 @@ impl Race<'_> {
             sampler.simulate_executed(prepared, &executed, &errors, index)?;
             let ruling = sampler.rule(prepared, candidate.play.call, successor)?;
             let foul = !ruling.is_legal();
-            let position = Position { frame: successor, noise: &self.situation.noise };
-            let value = self.value.win_chance(&position, self.seat);
+            let position = Position { frame: successor, noise: &self.shot.situation.noise };
+            let value = self.shot.value.win_chance(&position, self.shot.seat());
             let value = if foul { (value + self.foul_correction).clamp(0.0, 1.0) } else { value };
-            let kept = successor.keeps_turn(self.seat);
+            let kept = successor.keeps_turn(self.shot.seat());
             let end = successor.layout().place(cue);
             samples.push(PlayedVariant { index, executed, value, kept, foul, end });
         }
@@ -160,10 +165,8 @@ impl Race<'_> {
     /// The errors with which the player executes a candidate.
     pub(crate) fn errors_of(&self, candidate: &Candidate) -> Errors {
         let own = if self.common_errors { 0 } else { candidate.play.strike.azimuth.to_bits() };
-        Errors {
-            noise: self.situation.noise[self.seat].clone(),
-            perception: self.situation.perception.clone(),
-            seed: self.situation.seed ^ own,
-        }
+        let Situation { perception, seed, .. } = self.shot.situation;
+        let (noise, perception) = (self.shot.noise().clone(), perception.clone());
+        Errors { noise, perception, seed: seed ^ own }
     }
 }

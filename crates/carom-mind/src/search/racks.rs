@@ -9,7 +9,8 @@ use super::replies::quick_value;
 use crate::breaks::{BreakCounts, BreakShot};
 use crate::player::Situation;
 use crate::value::{Position, Value};
-use carom_plan::{Prepared, Sampler};
+use crate::workbench::Workbench;
+use carom_plan::Prepared;
 
 /// The breaker's seat in a new frame.
 const BREAKER: Seat = 0;
@@ -118,14 +119,16 @@ impl<'a> Racks<'a> {
         runner: &Runner,
     ) -> Result<(Vec<BreakCounts>, u64), Error> {
         let mut corrections = Corrections::default();
-        self.count_with(&mut corrections, (shots, first, count), runner)
+        self.count_with(&mut corrections, shots, first, count, runner)
     }
 
     /// As [`Self::count`]; adds to the corrections of earlier counts, and uses all of them.
     pub(super) fn count_with(
         &self,
         corrections: &mut Corrections,
-        (shots, first, count): (&[BreakShot], u64, u64),
+        shots: &[BreakShot],
+        first: u64,
+        count: u64,
         runner: &Runner,
     ) -> Result<(Vec<BreakCounts>, u64), Error> {
         let jobs = (0..shots.len()).flat_map(|k| {
@@ -134,11 +137,11 @@ impl<'a> Racks<'a> {
         });
         let played = runner.map(
             jobs,
-            || (Sampler::new(), self.start.clone()),
-            |worker, (k, indices)| {
+            || Workbench::new(self.start),
+            |bench, (k, indices)| {
                 let number = |rack: u64| k as u64 * count + (rack - first);
-                let breaks = indices
-                    .filter_map(|i| self.play(&shots[k], (i, number(i)), worker).transpose());
+                let breaks =
+                    indices.filter_map(|i| self.play(&shots[k], i, number(i), bench).transpose());
                 Ok((k, breaks.collect::<Result<Vec<_>, Error>>()?))
             },
         );
@@ -162,9 +165,11 @@ impl<'a> Racks<'a> {
     fn play(
         &self,
         shot: &BreakShot,
-        (index, number): (u64, u64),
-        (sampler, successor): &mut (Sampler, Frame),
+        index: u64,
+        number: u64,
+        bench: &mut Workbench,
     ) -> Result<Option<PlayedBreak>, Error> {
+        let Workbench { sampler, successor, .. } = bench;
         let frame = self.start.with_seed(self.seed.wrapping_add(index))?;
         let place = frame.turn().and_then(|turn| shot.cue_ball(&frame, turn));
         let Ok(prepared) = Prepared::new(&frame, place) else { return Ok(None) };

@@ -6,8 +6,9 @@ use carom::resolve::cue_ball::Strike;
 use carom_plan::Prepared;
 
 use super::candidate::{Candidate, PlayKind};
-use super::explore::Explorer;
-use super::pots::{KnownLine, largest_offset};
+use super::explore::{CuePlace, Explorer, FoundPlay, raised};
+use super::pots::KnownLine;
+use super::strike_errors::largest_offset;
 use super::windows::MeantPot;
 
 /// Steps of the first refinement: factor of the speed, and change of the tip offset (ball radii).
@@ -36,9 +37,11 @@ impl Explorer<'_> {
     /// As [`Explorer::ruled`].
     pub(crate) fn refine(
         &mut self,
-        (prepared, lines): (&[Prepared<'_>], &mut [KnownLine]),
+        prepared: &[Prepared<'_>],
+        lines: &mut [KnownLine],
         candidates: &[Candidate],
         round: u32,
+        until: u64,
     ) -> Result<(), Error> {
         let scale = 1.0 / f64::from(1_u32 << (round / 2).min(16));
         for candidate in candidates {
@@ -47,11 +50,11 @@ impl Explorer<'_> {
                 .iter_mut()
                 .find(|known| known.place == candidate.place && Some(known.line) == candidate.line);
             for direction in DIRECTIONS {
-                if self.is_spent() {
+                if self.bench.plays >= until {
                     return Ok(());
                 }
                 let step = direction.map(|share| scale * share);
-                self.neighbour((position, line.as_deref_mut()), candidate, step)?;
+                self.neighbour(position, line.as_deref_mut(), candidate, step)?;
             }
         }
         Ok(())
@@ -60,7 +63,8 @@ impl Explorer<'_> {
     /// Adds the neighbour of `candidate` that is `step` away, if it does what it is meant to do.
     fn neighbour(
         &mut self,
-        (prepared, line): (&Prepared<'_>, Option<&mut KnownLine>),
+        prepared: &Prepared<'_>,
+        line: Option<&mut KnownLine>,
         candidate: &Candidate,
         [faster, higher, aside]: [f64; 3],
     ) -> Result<(), Error> {
@@ -68,29 +72,30 @@ impl Explorer<'_> {
         let shot = prepared.shot();
         let ball = shot.strike().map_or(0, |(ball, _)| ball);
         let ball = &shot.balls()[ball].ball;
-        let noise = &self.situation.noise[self.seat()];
+        let noise = self.task.noise();
         let most = largest_offset(shot, noise, ball.radius);
         let side = meant.side + OFFSET * aside;
         let height = meant.height + OFFSET * higher;
         let strike = Strike { speed: meant.speed * (1.0 + FASTER * faster), side, height, ..meant };
-        let [slowest, fastest] = self.speeds;
+        let [slowest, fastest] = self.speeds();
         let is_in_range = (slowest..=fastest).contains(&strike.speed);
         if !is_in_range || strike.offset() > most.max(meant.offset()) {
             return Ok(());
         }
+        let at = CuePlace { number: candidate.place, prepared };
         match (candidate.kind, line) {
             (PlayKind::Pot(_), Some(known)) => {
-                self.pot(prepared, known, (strike.speed, [side, height]))
+                self.pot(prepared, known, strike.speed, [side, height])
             }
             (PlayKind::Pot(_) | PlayKind::PushOut, _) => Ok(()),
             (PlayKind::Indirect, _) => {
                 let Some(meant) = MeantPot::of(candidate) else { return Ok(()) };
-                self.find_again((prepared, candidate.place), Self::raised(prepared, strike), meant)
+                self.find_again(at, raised(prepared, strike), meant)
             }
             _ => {
                 let azimuth = meant.azimuth + TURN * aside;
                 let strike = Strike { azimuth, side: meant.side, ..strike };
-                self.again(prepared, candidate, Self::raised(prepared, strike))
+                self.again(at, candidate, raised(prepared, strike))
             }
         }
     }
@@ -98,24 +103,20 @@ impl Explorer<'_> {
     /// Adds a play that is like `candidate`, if it is legal.
     fn again(
         &mut self,
-        prepared: &Prepared<'_>,
+        at: CuePlace<'_>,
         candidate: &Candidate,
         strike: Strike,
     ) -> Result<(), Error> {
         let call = candidate.play.call;
-        self.plays += 1;
-        if self.sampler.simulate(prepared, &strike).is_err() {
+        self.bench.plays += 1;
+        if self.bench.sampler.simulate(at.prepared, &strike).is_err() {
             return Ok(());
         }
-        let (value, is_legal) = self.ruled(prepared, call)?;
+        let (value, is_legal) = self.ruled(at.prepared, call)?;
         if is_legal {
             let prior = value.min(candidate.mean());
-            self.keep(
-                strike,
-                call,
-                (candidate.kind, candidate.line, prior),
-                (candidate.place, prepared),
-            );
+            let Candidate { kind, line, .. } = *candidate;
+            self.keep(at, FoundPlay { strike, call, kind, line, prior });
         }
         Ok(())
     }

@@ -6,15 +6,17 @@
 //! keep the variance small, and the few searched ones remove the bias.
 
 use carom::Error;
-use carom_rules::{Frame, Request};
+use carom_rules::Request;
 
 use super::candidate::Candidate;
-use super::explore::Explorer;
+use super::explore::{CuePlace, Explorer};
 use super::race::Race;
+use super::task::ShotTask;
 use crate::player::Situation;
 use crate::settings::SearchSettings;
 use crate::value::{Position, Value};
-use carom_plan::{Prepared, Sampler};
+use crate::workbench::Workbench;
+use carom_plan::Prepared;
 
 /// Fewest and most successors of a finalist that are searched. With more, each is searched longer.
 const SUCCESSORS: [u64; 2] = [4, 24];
@@ -53,7 +55,7 @@ impl Replies {
     /// simulations.
     ///
     /// # Errors
-    /// As [`Sampler::simulate_variant`].
+    /// As [`carom_plan::Sampler::simulate_variant`].
     pub(crate) fn search(
         &self,
         race: &Race<'_>,
@@ -69,10 +71,8 @@ impl Replies {
         let racing = &*candidates;
         let replies = race.runner.map(
             jobs,
-            || (Sampler::new(), race.situation.frame.clone()),
-            |(sampler, successor), (k, sample)| {
-                reply(race, &racing[k], (sampler, successor), (k, sample, self.each))
-            },
+            || Workbench::new(race.shot.frame()),
+            |bench, (finalist, sample)| reply(race, racing, finalist, sample, self.each, bench),
         );
         let replies = replies.into_iter().collect::<Result<Vec<Reply>, Error>>()?;
         let spent = replies.iter().map(|reply| reply.plays).sum();
@@ -143,21 +143,26 @@ struct Reply {
     plays: u64,
 }
 
+/// Searches what follows a sample of a finalist.
 fn reply(
     race: &Race<'_>,
-    candidate: &Candidate,
-    (sampler, successor): (&mut Sampler, &mut Frame),
-    (finalist, sample, per_reply): (usize, usize, u64),
+    candidates: &[Candidate],
+    finalist: usize,
+    sample: usize,
+    per_reply: u64,
+    bench: &mut Workbench,
 ) -> Result<Reply, Error> {
+    let Workbench { sampler, successor, .. } = bench;
+    let candidate = &candidates[finalist];
     let prepared = &race.prepared[candidate.place];
     let played = &candidate.samples[sample];
     let errors = race.errors_of(candidate);
     sampler.simulate_executed(prepared, &played.executed, &errors, played.index)?;
     sampler.rule(prepared, candidate.play.call, successor)?;
     let estimated = played.value;
-    let situation = Situation { frame: successor, ..race.situation.clone() };
-    let (searched, plays) = quick_value(&situation, race.value, per_reply)?;
-    let is_own = successor.player().map(|player| player == race.seat);
+    let situation = Situation { frame: successor, ..race.shot.situation.clone() };
+    let (searched, plays) = quick_value(&situation, race.shot.value, per_reply)?;
+    let is_own = successor.player().map(|player| player == race.shot.seat());
     let difference = match is_own {
         Some(true) => searched - estimated,
         Some(false) => 1.0 - searched - estimated,
@@ -181,22 +186,21 @@ pub(crate) fn quick_value(
     let Some(player) = frame.player() else { return Ok((0.5, 0)) };
     let estimated = value.win_chance(&position, player);
     let Request::Shot(turn) = frame.request() else { return Ok((estimated, 0)) };
-    let mut explorer = Explorer::new(situation, value, turn, simulations);
+    let task = ShotTask { situation, turn, value };
     let place = match turn.hand {
-        Some(region) => explorer.places(region).first().copied(),
+        Some(region) => task.places(region).first().copied(),
         None => None,
     };
     if turn.hand.is_some() && place.is_none() {
         return Ok((estimated, 0));
     }
     let Ok(prepared) = Prepared::new(frame, place) else { return Ok((estimated, 0)) };
-    let mut lines = explorer.lines(&prepared, 0);
+    let (mut explorer, at) = (Explorer::new(task), CuePlace { number: 0, prepared: &prepared });
+    let mut lines = explorer.lines(at);
     lines.truncate(3);
-    explorer.most = simulations * 2 / 3;
-    explorer.pots(&prepared, &mut lines)?;
-    explorer.most = simulations;
-    explorer.safeties(&prepared, 0)?;
+    explorer.pots(&prepared, &mut lines, simulations * 2 / 3)?;
+    explorer.safeties(at, simulations)?;
     // A safety's value without errors is too good: errors spoil some of them.
     let best = explorer.found.iter().map(|candidate| candidate.prior).reduce(f64::max);
-    Ok((best.unwrap_or(estimated), explorer.plays))
+    Ok((best.unwrap_or(estimated), explorer.bench.plays))
 }

@@ -2,21 +2,22 @@
 //! that one has found.
 
 use carom::Error;
-use carom_rules::{Frame, Play, Rules, Turn};
+use carom_plan::Prepared;
+use carom_rules::{Play, Rules};
 
-use super::candidate::{Candidate, PlayKind};
-use super::explore::Explorer;
+use super::candidate::Candidate;
+use super::explore::{Explorer, cue_places};
 use super::openings::opening_shots;
 use super::pots::KnownLine;
 use super::race::Race;
 use super::replies::Replies;
-use super::shift::{deviations, means, uphill};
+use super::select::{best_of, distinct_first, select};
+use super::shift::shift;
+use super::task::{SearchTask, ShotTask};
 use super::windows::direct_pots;
 use crate::breaks::BreakShot;
-use crate::player::{Budget, Situation, Spent};
+use crate::player::Spent;
 use crate::settings::{BreakChoice, SearchSettings};
-use crate::value::Value;
-use carom_plan::Prepared;
 
 /// Share of the exploring simulations that goes to pots; the rest goes to safeties.
 const POTS: f64 = 0.75;
@@ -24,12 +25,6 @@ const POTS: f64 = 0.75;
 const CERTAIN: f64 = 0.97;
 /// Simulations that look for any legal shot where nothing was found.
 const ANYTHING: u64 = 600;
-/// Two plays on one line whose cue balls end nearer than this, m, are alike.
-const ALIKE: f64 = 0.08;
-/// Number of alike plays that enter the race.
-const MOST_ALIKE: usize = 2;
-/// Push-outs that enter the race.
-const PUSH_OUTS: usize = 6;
 /// Candidates that a further round keeps.
 const KEPT: usize = 16;
 /// Simulations of the first and of a further round for each new candidate that enters its race, and the most of
@@ -56,8 +51,6 @@ const OPENING: u64 = 5;
 const GROWTH: f64 = 1.6;
 /// Fewest samples by which the aims of a list are compared, as a share of its fresh samples.
 const COMPARED: f64 = 0.3;
-/// Finalists that are moved uphill.
-const SHIFTED: usize = 4;
 
 /// What a search has found.
 #[derive(Clone, Debug)]
@@ -68,32 +61,8 @@ pub(crate) struct Found {
     pub(crate) spent: Spent,
 }
 
-/// What is searched, and how.
-pub(crate) struct SearchTask<'a, 'b> {
-    pub(crate) situation: &'b Situation<'a>,
-    pub(crate) turn: &'b Turn,
-    pub(crate) value: &'b dyn Value,
-    pub(crate) settings: &'b SearchSettings,
-    pub(crate) budget: &'b Budget<'b>,
-}
-
-impl<'b> SearchTask<'_, 'b> {
-    /// The race between plays from these positions.
-    fn race(&self, prepared: &'b [Prepared<'b>], foul_correction: f64) -> Race<'b> {
-        Race {
-            foul_correction,
-            situation: self.situation,
-            value: self.value,
-            prepared,
-            seat: self.turn.player,
-            runner: &self.budget.runner,
-            common_errors: self.settings.common_errors,
-        }
-    }
-}
-
-/// A search between two of its rounds. It borrows nothing, so a program can do other work before the
-/// next round.
+/// What the rounds of a search have found so far. It borrows nothing, so a program can do other work before
+/// the next round.
 #[derive(Clone, Debug)]
 pub struct Rounds {
     /// The opening shots that are compared; empty for another shot.
@@ -122,44 +91,6 @@ pub struct Rounds {
 }
 
 impl Rounds {
-    /// A search before its first round.
-    pub(crate) fn new(task: &SearchTask<'_, '_>) -> Self {
-        let SearchTask { situation, turn, value, settings, budget } = *task;
-        let stated = settings.stated;
-        let explorer = Explorer::new(situation, value, turn, 0);
-        let places = match turn.hand {
-            None => vec![None],
-            Some(region) => explorer.places(region).into_iter().map(Some).collect(),
-        };
-        let fresh = settings.fresh(budget.simulations);
-        let stating = (fresh * stated as u64).min(budget.simulations / 2);
-        let racing = budget.simulations - stating;
-        let least = settings.first_round * first_factor(situation.frame, turn);
-        let share = if racing > LIMITED { 0 } else { (racing / FIRST_SHARE).min(MOST_FIRST) };
-        let size = round_size(least.max(share), racing);
-        let (candidates, lines, spent) = (Vec::new(), Vec::new(), Spent::default());
-        Self {
-            openings: Vec::new(),
-            places,
-            candidates,
-            lines,
-            strikes: 0,
-            spent,
-            races: 0,
-            size,
-            racing,
-            stated,
-            fresh,
-            is_complete: false,
-            foul_correction: None,
-        }
-    }
-
-    /// The search, which takes the value's word for what fouls are worth.
-    pub(crate) fn without_doubts(self) -> Self {
-        Self { foul_correction: Some(0.0), ..self }
-    }
-
     /// What the rounds have spent.
     pub const fn spent(&self) -> Spent {
         self.spent
@@ -170,159 +101,267 @@ impl Rounds {
         self.candidates.first()
     }
 
-    fn prepared<'a>(&self, situation: &Situation<'a>) -> Result<Vec<Prepared<'a>>, Error> {
-        self.places.iter().map(|place| Prepared::new(situation.frame, *place)).collect()
+    /// Whether the best plays of a list are wanted, and not the best play alone.
+    const fn is_list(&self) -> bool {
+        self.stated > 1
+    }
+}
+
+/// A search for the best plays of a shot, round by round.
+pub struct ShotSearch<'a> {
+    pub(crate) task: SearchTask<'a>,
+    rounds: Rounds,
+}
+
+impl<'a> ShotSearch<'a> {
+    /// A search before its first round. At its end the chances of `stated` plays are stated.
+    pub(crate) fn new(task: SearchTask<'a>, stated: usize) -> Self {
+        let SearchTask { shot, settings, budget } = task;
+        let places = match shot.turn.hand {
+            None => vec![None],
+            Some(region) => shot.places(region).into_iter().map(Some).collect(),
+        };
+        let fresh = SearchSettings::fresh(budget.simulations, stated);
+        let stating = (fresh * stated as u64).min(budget.simulations / 2);
+        let racing = budget.simulations - stating;
+        let least = settings.first_round * first_factor(&shot);
+        let share = if racing > LIMITED { 0 } else { (racing / FIRST_SHARE).min(MOST_FIRST) };
+        let rounds = Rounds {
+            openings: Vec::new(),
+            places,
+            candidates: Vec::new(),
+            lines: Vec::new(),
+            strikes: 0,
+            spent: Spent::default(),
+            races: 0,
+            size: round_size(least.max(share), racing),
+            racing,
+            stated,
+            fresh,
+            is_complete: false,
+            foul_correction: None,
+        };
+        Self { task, rounds }
+    }
+
+    /// A search that goes on with `rounds`.
+    pub(crate) const fn resumed(task: SearchTask<'a>, rounds: Rounds) -> Self {
+        Self { task, rounds }
+    }
+
+    /// The search, which takes the value's word for what fouls are worth.
+    pub(crate) fn without_doubts(mut self) -> Self {
+        self.rounds.foul_correction = Some(0.0);
+        self
+    }
+
+    /// What the search has found so far.
+    pub const fn rounds(&self) -> &Rounds {
+        &self.rounds
+    }
+
+    /// The same without the search, which [`crate::Searcher::resume`] continues.
+    pub fn into_rounds(self) -> Rounds {
+        self.rounds
     }
 
     /// Plays the next round if the budget allows one. Returns whether it was played.
     ///
     /// # Errors
     /// [`Error::TooManyEvents`] if a shot does not end.
-    pub(crate) fn play(&mut self, task: &SearchTask<'_, '_>) -> Result<bool, Error> {
-        let SearchTask { situation, turn, value, settings, budget } = *task;
-        let is_first = self.races == 0;
-        if self.is_complete || !(is_first || budget.allows(self.spent, self.size)) {
+    pub fn play_round(&mut self) -> Result<bool, Error> {
+        let Rounds { races, is_complete, spent, size, .. } = self.rounds;
+        let is_first = races == 0;
+        if is_complete || !(is_first || self.task.budget.allows(spent, size)) {
             return Ok(false);
         }
-        if is_first && situation.frame.is_opening() {
-            let searching = (budget, &mut self.spent);
-            self.openings = opening_shots(situation, turn, (value, settings), searching)?;
-            let place = |shot: &BreakShot| shot.cue_ball(situation.frame, turn);
-            if !self.openings.is_empty() {
-                self.places = self.openings.iter().map(place).collect();
-            }
+        if is_first && self.task.shot.frame().is_opening() {
+            self.find_openings()?;
         }
-        let prepared = &self.prepared(situation)?;
-        let race = task.race(prepared, self.foul_correction.unwrap_or_default());
-        let before = self.spent.simulations;
-        let is_last = before + self.size >= self.racing;
-        let mut explorer = Explorer::new(situation, value, turn, 0);
-        explorer.lists = self.stated > 1;
+        let prepared = &self.prepared()?;
+        let before = self.rounds.spent.simulations;
         if is_first {
-            let simulations = (settings.exploring * self.size as f64) as u64;
-            self.lines = explore(&mut explorer, (prepared, &self.openings), simulations)?;
-            let room = (self.size / PER_CANDIDATE[0]).min(MOST_NEW);
-            self.candidates = select(explorer.found, settings, (room as usize, self.stated > 1));
+            self.explore_first(prepared)?;
         } else {
-            if self.stated > 1 {
-                distinct_first(&mut self.candidates);
-            }
-            self.candidates.truncate(KEPT);
-            if settings.shift {
-                shift(&mut self.candidates, &race, explorer.speeds);
-            }
-            explorer.measures_windows = true;
-            let made = self.lines.iter().filter(|known| known.is_made());
-            explorer.direct_pots = direct_pots(made.map(|known| &known.line), &prepared[0]);
-            let refining = settings.refining * self.size as f64;
-            let round = self.races - 1;
-            explorer.most = (UNTRIED * refining) as u64;
-            explorer.untried_pots(prepared, &mut self.lines)?;
-            let rest = refining - explorer.plays as f64;
-            explorer.most = explorer.plays + (NEAR * rest) as u64;
-            explorer.refine((prepared, &mut self.lines), &self.candidates, round)?;
-            explorer.most = explorer.plays + (FURTHER[usize::from(self.stated > 1)] * rest) as u64;
-            let first = self.strikes;
-            self.strikes = explorer.more_pots(prepared, &mut self.lines, first)?;
-            explorer.most = refining as u64;
-            let best = self.candidates.first().map_or(0.0, Candidate::mean);
-            if best < CERTAIN && !situation.frame.is_opening() {
-                self.strikes = explorer.more_hits(prepared, self.strikes)?;
-            }
-            let room = (self.size / PER_CANDIDATE[1]).clamp(KEPT as u64, MOST_NEW);
-            self.candidates.extend(best_of(explorer.found, (room as usize, self.stated > 1)));
+            self.explore_further(prepared)?;
         }
-        self.spent.simulations += explorer.plays;
-        let left = self.size.saturating_sub(self.spent.simulations - before);
-        let replies = Replies::within((settings.replying * self.size as f64) as u64, settings);
-        let cost = replies.as_ref().map_or(0, Replies::cost);
-        self.spent.simulations += race.run(&mut self.candidates, left.saturating_sub(cost))?;
-        if let Some(replies) = replies {
-            self.spent.simulations += replies.search(&race, &mut self.candidates)?;
-        }
-        self.doubt_fouls(task, prepared)?;
-        self.spent.rounds += 1;
-        self.races += 1;
-        let left = self.racing.saturating_sub(self.spent.simulations);
-        // Further rounds would change a break that is to be the same in every rack.
-        let is_fixed = settings.break_shot != BreakChoice::Searched && situation.frame.is_opening();
-        self.is_complete = is_last || left == 0 || is_fixed;
-        self.size = round_size((GROWTH * self.size as f64) as u64, left);
+        let explored = self.rounds.spent.simulations - before;
+        self.race_candidates(prepared, size.saturating_sub(explored))?;
+        self.doubt_fouls(prepared)?;
+        self.end_round(before + size);
         Ok(true)
     }
 
+    fn prepared(&self) -> Result<Vec<Prepared<'a>>, Error> {
+        let frame = self.task.shot.frame();
+        self.rounds.places.iter().map(|place| Prepared::new(frame, *place)).collect()
+    }
+
+    fn race<'b>(&'b self, prepared: &'b [Prepared<'b>]) -> Race<'b> {
+        self.task.race(prepared, self.rounds.foul_correction.unwrap_or_default())
+    }
+
+    /// The opening shots that the first round compares, and their places.
+    fn find_openings(&mut self) -> Result<(), Error> {
+        let ShotTask { situation, turn, .. } = self.task.shot;
+        let openings = opening_shots(&self.task, &mut self.rounds.spent)?;
+        if !openings.is_empty() {
+            let place = |shot: &BreakShot| shot.cue_ball(situation.frame, turn);
+            self.rounds.places = openings.iter().map(place).collect();
+        }
+        self.rounds.openings = openings;
+        Ok(())
+    }
+
+    /// The candidates of the first round, from whole lattices.
+    fn explore_first(&mut self, prepared: &[Prepared<'_>]) -> Result<(), Error> {
+        let Self { task: SearchTask { shot, settings, .. }, rounds } = self;
+        let is_list = rounds.is_list();
+        let mut explorer = Explorer { is_list, ..Explorer::new(*shot) };
+        let simulations = (settings.exploring * rounds.size as f64) as u64;
+        rounds.lines = explore(&mut explorer, prepared, &rounds.openings, simulations)?;
+        let room = (rounds.size / PER_CANDIDATE[0]).min(MOST_NEW);
+        rounds.candidates = select(explorer.found, settings, room as usize, is_list);
+        rounds.spent.simulations += explorer.bench.plays;
+        Ok(())
+    }
+
+    /// The candidates of a further round: the best so far, the same moved uphill, and new ones near them, on the
+    /// known lines and in any direction.
+    fn explore_further(&mut self, prepared: &[Prepared<'_>]) -> Result<(), Error> {
+        let Self { task: SearchTask { shot, settings, .. }, rounds } = self;
+        let is_list = rounds.is_list();
+        if is_list {
+            distinct_first(&mut rounds.candidates);
+        }
+        rounds.candidates.truncate(KEPT);
+        let made = rounds.lines.iter().filter(|known| known.is_made());
+        let direct_pots = Some(direct_pots(made.map(|known| &known.line), &prepared[0]));
+        let mut explorer = Explorer { is_list, direct_pots, ..Explorer::new(*shot) };
+        if settings.shift {
+            shift(&mut rounds.candidates, shot, prepared, explorer.speeds());
+        }
+        let all = settings.refining * rounds.size as f64;
+        explorer.untried_pots(prepared, &mut rounds.lines, (UNTRIED * all) as u64)?;
+        let played = explorer.bench.plays;
+        let rest = all - played as f64;
+        let until = played + (NEAR * rest) as u64;
+        let round = rounds.races - 1;
+        explorer.refine(prepared, &mut rounds.lines, &rounds.candidates, round, until)?;
+        let until = explorer.bench.plays + (FURTHER[usize::from(is_list)] * rest) as u64;
+        let first = rounds.strikes;
+        rounds.strikes = explorer.more_pots(prepared, &mut rounds.lines, first, until)?;
+        let best = rounds.candidates.first().map_or(0.0, Candidate::mean);
+        if best < CERTAIN && !shot.frame().is_opening() {
+            rounds.strikes = explorer.more_hits(prepared, rounds.strikes, all as u64)?;
+        }
+        let room = (rounds.size / PER_CANDIDATE[1]).clamp(KEPT as u64, MOST_NEW);
+        rounds.candidates.extend(best_of(explorer.found, room as usize, is_list));
+        rounds.spent.simulations += explorer.bench.plays;
+        Ok(())
+    }
+
+    /// Races the candidates with `left` simulations, of which the replies of the finalists get their share.
+    fn race_candidates(&mut self, prepared: &[Prepared<'_>], left: u64) -> Result<(), Error> {
+        let settings = self.task.settings;
+        let mut candidates = core::mem::take(&mut self.rounds.candidates);
+        let race = self.race(prepared);
+        let share = (settings.replying * self.rounds.size as f64) as u64;
+        let replies = Replies::within(share, settings);
+        let cost = replies.as_ref().map_or(0, Replies::cost);
+        let mut plays = race.run(&mut candidates, left.saturating_sub(cost))?;
+        if let Some(replies) = replies {
+            plays += replies.search(&race, &mut candidates)?;
+        }
+        self.rounds.candidates = candidates;
+        self.rounds.spent.simulations += plays;
+        Ok(())
+    }
+
     /// Looks once at what fouls are worth, when a play that lives on them comes first.
-    fn doubt_fouls(
-        &mut self,
-        task: &SearchTask<'_, '_>,
-        prepared: &[Prepared<'_>],
-    ) -> Result<(), Error> {
-        if self.foul_correction.is_none() {
-            let spent = self.spent.simulations;
-            let found = task.doubt_fouls(prepared, &mut self.candidates, spent)?;
+    fn doubt_fouls(&mut self, prepared: &[Prepared<'_>]) -> Result<(), Error> {
+        let Self { task, rounds } = self;
+        if rounds.foul_correction.is_none() {
+            let spent = rounds.spent.simulations;
+            let found = task.doubt_fouls(prepared, &mut rounds.candidates, spent)?;
             if let Some((correction, cost)) = found {
-                self.foul_correction = Some(correction);
-                self.spent.simulations += cost;
+                rounds.foul_correction = Some(correction);
+                rounds.spent.simulations += cost;
             }
         }
         Ok(())
     }
 
+    /// Counts a round that was to end after `planned` simulations in all, and plans the next one.
+    fn end_round(&mut self, planned: u64) {
+        let Self { task: SearchTask { shot, settings, .. }, rounds } = self;
+        rounds.spent.rounds += 1;
+        rounds.races += 1;
+        let left = rounds.racing.saturating_sub(rounds.spent.simulations);
+        // Further rounds would change a break that is to be the same in every rack.
+        let is_fixed = settings.break_shot != BreakChoice::Searched && shot.frame().is_opening();
+        rounds.is_complete = planned >= rounds.racing || left == 0 || is_fixed;
+        rounds.size = round_size((GROWTH * rounds.size as f64) as u64, left);
+    }
+
     /// Prepares the candidates for a list of plays: each play occurs once, and has the kind of what it does.
     ///
     /// # Errors
-    /// As [`Self::play`].
-    pub(crate) fn name(&mut self, task: &SearchTask<'_, '_>) -> Result<(), Error> {
+    /// As [`Self::play_round`].
+    pub(crate) fn name_plays(&mut self) -> Result<(), Error> {
+        let mut candidates = core::mem::take(&mut self.rounds.candidates);
         let mut plays: Vec<Play> = Vec::new();
-        self.candidates.retain(|candidate| {
+        candidates.retain(|candidate| {
             let is_new = !plays.contains(&candidate.play);
             plays.push(candidate.play);
             is_new
         });
-        let prepared = self.prepared(task.situation)?;
-        if self.stated > 1 {
-            distinct_first(&mut self.candidates);
+        let prepared = self.prepared()?;
+        let stated = self.rounds.stated;
+        if self.rounds.is_list() {
+            distinct_first(&mut candidates);
             // Races have dropped some of these aims early, with few samples.
-            let compared = self.candidates.len().min(2 * self.stated);
-            let least = (self.fresh as f64 * COMPARED) as u64;
-            let race = task.race(&prepared, self.foul_correction.unwrap_or_default());
-            self.spent.simulations += race.fill(&mut self.candidates[..compared], least)?;
+            let compared = candidates.len().min(2 * stated);
+            let least = (self.rounds.fresh as f64 * COMPARED) as u64;
+            let plays = self.race(&prepared).fill(&mut candidates[..compared], least)?;
+            self.rounds.spent.simulations += plays;
         }
-        self.candidates.truncate(self.stated + KEPT);
-        let mut explorer = Explorer::new(task.situation, task.value, task.turn, 0);
-        for candidate in &mut self.candidates {
+        candidates.truncate(stated + KEPT);
+        let mut explorer = Explorer::new(self.task.shot);
+        for candidate in &mut candidates {
             let place = candidate.place;
             explorer.name(candidate, &prepared[place])?;
         }
-        self.spent.simulations += explorer.plays;
+        self.rounds.spent.simulations += explorer.bench.plays;
+        self.rounds.candidates = candidates;
         Ok(())
     }
 
     /// What the rounds have found. A foul on purpose is looked at again, and the best plays get fresh samples.
     ///
     /// # Errors
-    /// As [`Self::play`].
-    pub(crate) fn end(mut self, task: &SearchTask<'_, '_>) -> Result<Found, Error> {
-        let prepared = self.prepared(task.situation)?;
-        self.doubt_fouls(task, &prepared)?;
-        let Self { mut candidates, mut spent, stated, mut fresh, foul_correction, .. } = self;
-        let race = task.race(&prepared, foul_correction.unwrap_or_default());
-        if !self.is_complete {
+    /// As [`Self::play_round`].
+    pub(crate) fn found(mut self) -> Result<Found, Error> {
+        let prepared = self.prepared()?;
+        self.doubt_fouls(&prepared)?;
+        let mut candidates = core::mem::take(&mut self.rounds.candidates);
+        let Rounds { mut spent, stated, mut fresh, .. } = self.rounds;
+        if !self.rounds.is_complete {
             // The clock is over, or the rounds: the statement costs its share of what they have spent.
-            let settings = SearchSettings { stated, ..*task.settings };
-            fresh = fresh.min(settings.fresh(spent.simulations));
+            fresh = fresh.min(SearchSettings::fresh(spent.simulations, stated));
         }
-        if stated > 1 {
+        if self.rounds.is_list() {
             distinct_first(&mut candidates);
         }
         let stated = stated.min(candidates.len());
-        spent.simulations += race.freshen(&mut candidates[..stated], fresh)?;
+        spent.simulations += self.race(&prepared).freshen(&mut candidates[..stated], fresh)?;
         Ok(Found { candidates, spent })
     }
 }
 
 /// By how much the first round is larger than that of a usual shot.
-fn first_factor(frame: &Frame, turn: &Turn) -> u64 {
+fn first_factor(shot: &ShotTask<'_>) -> u64 {
+    let (frame, turn) = (shot.frame(), shot.turn);
     match turn.hand {
         _ if frame.is_opening() || frame.rules() == Rules::ThreeCushion => OPENING,
         Some(_) => MORE_PLAYS,
@@ -337,143 +376,73 @@ const fn round_size(wanted: u64, left: u64) -> u64 {
     if left < 2 * wanted { left } else { wanted }
 }
 
-/// Fills the explorer's candidates with about `simulations` simulations.
+/// Finds candidates with about `simulations` simulations. Returns the lines of pots.
 fn explore(
     explorer: &mut Explorer<'_>,
-    (prepared, openings): (&[Prepared<'_>], &[BreakShot]),
+    prepared: &[Prepared<'_>],
+    openings: &[BreakShot],
     simulations: u64,
 ) -> Result<Vec<KnownLine>, Error> {
-    let frame = explorer.situation.frame;
-    let is_opening = !openings.is_empty();
     explorer.openings(openings, prepared)?;
+    let has_pots = explorer.task.frame().rules() != Rules::ThreeCushion;
     let pots = (POTS * simulations as f64) as u64;
     let mut lines = Vec::new();
-    for (k, position) in prepared.iter().enumerate() {
-        explorer.most = pots * (k as u64 + 1) / prepared.len() as u64;
-        if is_opening {
-            break;
-        }
-        if frame.rules() == Rules::ThreeCushion {
-            explorer.most = simulations;
-            explorer.caroms(position, k)?;
-        } else {
-            let mut known = explorer.lines(position, k);
-            explorer.pots(position, &mut known)?;
+    for at in cue_places(prepared).filter(|_| openings.is_empty()) {
+        if has_pots {
+            let mut known = explorer.lines(at);
+            let until = pots * (at.number as u64 + 1) / prepared.len() as u64;
+            explorer.pots(at.prepared, &mut known, until)?;
             lines.extend(known);
+        } else {
+            explorer.caroms(at, simulations)?;
         }
     }
-    explorer.most = simulations.max(explorer.plays + simulations / 4);
+    let mut until = simulations.max(explorer.bench.plays + simulations / 4);
     let best = explorer.found.iter().map(|candidate| candidate.prior).fold(0.0, f64::max);
-    if let Some(first) = prepared.first() {
-        if !is_opening && frame.rules() != Rules::ThreeCushion && best < CERTAIN {
-            explorer.safeties(first, 0)?;
+    if let Some(first) = cue_places(prepared).next() {
+        if openings.is_empty() && has_pots && best < CERTAIN {
+            explorer.safeties(first, until)?;
         }
-        if explorer.turn.calls.push_out {
-            explorer.most += ANYTHING / 2;
-            explorer.push_outs(first, 0)?;
+        if explorer.task.turn.calls.push_out {
+            until += ANYTHING / 2;
+            explorer.push_outs(first, until)?;
         }
         if explorer.found.is_empty() {
-            explorer.most = explorer.plays + ANYTHING;
-            explorer.anything(first, 0)?;
+            explorer.anything(first, explorer.bench.plays + ANYTHING)?;
         }
     }
     Ok(lines)
 }
 
-/// The best of `found` by their priors, not too many alike, at most `count`. For a list the best one of every
-/// aim comes first.
-fn best_of(mut found: Vec<Candidate>, (count, is_list): (usize, bool)) -> Vec<Candidate> {
-    shuffle(&mut found);
-    found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
-    if is_list {
-        distinct_first(&mut found);
-    }
-    let mut kept: Vec<Candidate> = Vec::new();
-    for candidate in found {
-        let alike = kept.iter().filter(|other| are_alike(&candidate, other)).count();
-        if alike < MOST_ALIKE && kept.len() < count {
-            kept.push(candidate);
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_page_at_the_head_of_the_search_has_the_budgets_of_all_stages() {
+        let page = include_str!("mod.rs");
+        let SearchSettings { exploring, refining, racing, first_round, .. } =
+            SearchSettings::default();
+        for budget in [
+            format!("S = {first_round}, × {MORE_PLAYS} in hand or with push-outs, × {OPENING} for"),
+            format!("at least R/{FIRST_SHARE}, up to {MOST_FIRST}"),
+            format!("explore: {exploring} S\n"),
+            format!("pots       {POTS} of it"),
+            format!("unless a pot is worth {CERTAIN} "),
+            format!(
+                "{} more where they are allowed; any shot at all: {ANYTHING} more",
+                ANYTHING / 2
+            ),
+            format!("select: the best {racing}, or S/{}", PER_CANDIDATE[0]),
+            format!("the best {KEPT}\n"),
+            format!("{GROWTH} times as many"),
+            format!("explore: {refining} S."),
+            format!("untried    {UNTRIED} of it"),
+            format!("near       {NEAR} of the rest"),
+            format!("further    {} of the rest, {} for a list", FURTHER[0], FURTHER[1]),
+            format!("new ones, S/{} but at least {KEPT}", PER_CANDIDATE[1]),
+        ] {
+            assert!(page.contains(&budget), "{budget}");
         }
     }
-    kept
-}
-
-/// Brings plays into an order that has nothing to do with that in which they were found, so that
-/// equal priors favour no speed or spin.
-fn shuffle(found: &mut [Candidate]) {
-    // The fractional part of k φ is spread evenly over 0 to 1.
-    const PHI: f64 = 0.618_033_988_749_894_9;
-    let mut order: Vec<usize> = (0..found.len()).collect();
-    order.sort_by(|a, b| (PHI * *a as f64 % 1.0).total_cmp(&(PHI * *b as f64 % 1.0)));
-    let mut shuffled: Vec<Candidate> = order.iter().map(|k| found[*k].clone()).collect();
-    found.swap_with_slice(&mut shuffled);
-}
-
-/// The candidates that enter the race: the best by their priors, not too many alike, and the best
-/// safeties.
-fn select(
-    mut found: Vec<Candidate>,
-    settings: &SearchSettings,
-    (wanted, is_list): (usize, bool),
-) -> Vec<Candidate> {
-    found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
-    let (push_outs, found): (Vec<_>, Vec<_>) =
-        found.into_iter().partition(|c| c.kind == PlayKind::PushOut);
-    let (safe, pots): (Vec<_>, Vec<_>) =
-        found.into_iter().partition(|c| c.kind == PlayKind::Safety);
-    let room = settings.racing.max(wanted);
-    let room = room.saturating_sub(settings.safeties.min(safe.len())).max(1);
-    let mut kept = best_of(pots, (room, is_list));
-    kept.extend(safe.into_iter().take(settings.safeties));
-    kept.extend(push_outs.into_iter().take(PUSH_OUTS));
-    kept
-}
-
-fn are_alike(a: &Candidate, b: &Candidate) -> bool {
-    let (Some(la), Some(lb), Some(ea), Some(eb)) = (&a.line, &b.line, a.end, b.end) else {
-        return false;
-    };
-    let (x, y) = (ea[0] - eb[0], ea[1] - eb[1]);
-    (la.object, la.pocket, la.kind, a.place) == (lb.object, lb.pocket, lb.kind, b.place)
-        && x * x + y * y < ALIKE * ALIKE
-}
-
-/// Moves the best candidate of each aim (kind, ball and pocket) before all others, these by their values, and
-/// keeps the order otherwise. Without this a list of a few plays would show one pot in several variants, and
-/// omit a play that a race has dropped for variants of a better one.
-fn distinct_first(candidates: &mut Vec<Candidate>) {
-    let mut aims = Vec::new();
-    let (first, rest): (Vec<_>, Vec<_>) = candidates.drain(..).partition(|candidate| {
-        let aim = (candidate.kind, candidate.pot);
-        let is_new = !aims.contains(&aim);
-        aims.push(aim);
-        is_new
-    });
-    candidates.extend(first);
-    candidates.sort_by(|a, b| b.mean().total_cmp(&a.mean()));
-    candidates.extend(rest);
-}
-
-/// Adds the finalists moved uphill, within `speeds` (the least and the greatest, m/s).
-fn shift(candidates: &mut Vec<Candidate>, race: &Race<'_>, speeds: [f64; 2]) {
-    let frame = race.situation.frame;
-    let Some(turn) = frame.turn() else { return };
-    let radius = frame.layout().balls()[usize::from(turn.cue)].ball.radius;
-    let noise = &race.situation.noise[race.seat];
-    let means = means(noise, radius);
-    let moved: Vec<Candidate> = candidates
-        .iter()
-        .take(SHIFTED)
-        .filter_map(|candidate| {
-            let shot = race.prepared[candidate.place].shot();
-            let most = super::pots::largest_offset(shot, noise, radius);
-            let most = most.max(candidate.play.strike.offset());
-            let deviations = deviations(noise, candidate.play.strike.speed, radius);
-            let strike = uphill(candidate, (&means, &deviations), (speeds, most))?;
-            let play = carom_rules::Play { strike, ..candidate.play };
-            let (samples, prior) = (Vec::new(), candidate.mean());
-            Some(Candidate { play, samples, prior, correction: 0.0, ..candidate.clone() })
-        })
-        .collect();
-    candidates.extend(moved);
 }

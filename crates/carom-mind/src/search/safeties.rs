@@ -8,7 +8,7 @@ use carom::resolve::cue_ball::Strike;
 use carom_rules::{BallIndex, Call, Rules};
 
 use super::candidate::PlayKind;
-use super::explore::Explorer;
+use super::explore::{CuePlace, Explorer, FoundPlay, cue_places, raised};
 use super::pots::sequence_point;
 use super::windows::MeantPot;
 use crate::scene::{Scene, SceneBall, ghost};
@@ -32,9 +32,9 @@ impl Explorer<'_> {
     ///
     /// # Errors
     /// As [`Explorer::ruled`].
-    pub(crate) fn safeties(&mut self, prepared: &Prepared<'_>, place: usize) -> Result<(), Error> {
-        let scene = Scene::of(prepared);
-        let Some(cue) = scene.ball(self.turn.cue) else { return Ok(()) };
+    pub(crate) fn safeties(&mut self, at: CuePlace<'_>, until: u64) -> Result<(), Error> {
+        let scene = Scene::of(at.prepared);
+        let Some(cue) = scene.ball(self.task.turn.cue) else { return Ok(()) };
         let mut azimuths = self.direct_hits(&scene, cue);
         if azimuths.is_empty() {
             azimuths = self.kick_hits(&scene, cue);
@@ -43,7 +43,9 @@ impl Explorer<'_> {
         for speed in SPEEDS {
             for height in HEIGHTS {
                 for (azimuth, first) in &azimuths {
-                    self.try_safety(prepared, place, (*azimuth, *first), [speed, height])?;
+                    if self.bench.plays < until {
+                        self.try_hit(at, level_strike(speed, *azimuth, height), *first)?;
+                    }
                 }
             }
         }
@@ -59,29 +61,30 @@ impl Explorer<'_> {
         &mut self,
         prepared: &[Prepared<'_>],
         first: u64,
+        until: u64,
     ) -> Result<u64, Error> {
-        let Some(position) = prepared.first() else { return Ok(first) };
-        let scene = Scene::of(position);
-        let Some(cue) = scene.ball(self.turn.cue) else { return Ok(first) };
+        let Some(at) = cue_places(prepared).next() else { return Ok(first) };
+        let scene = Scene::of(at.prepared);
+        let Some(cue) = scene.ball(self.task.turn.cue) else { return Ok(first) };
         let balls: Vec<SceneBall> =
             self.targets.first.iter().filter_map(|ball| scene.ball(*ball)).collect();
-        let most = self.largest_offset(position);
+        let most = self.largest_offset(at.prepared);
         let mut index = first;
-        while !self.is_spent() && !balls.is_empty() {
+        while self.bench.plays < until && !balls.is_empty() {
             index += 1;
             let ball = balls[index as usize % balls.len()];
             let [share, pace, angle, out] = sequence_point(index);
-            let before = self.plays;
+            let before = self.bench.plays;
             if let Some(azimuth) = hit_at(&scene, cue, ball, 2.0 * share - 1.0) {
                 let (sin, cos) = sin_cos(TAU * angle);
                 let offset = most * sqrt(out);
                 let speed = SPEEDS[0] * exp(pace * log(FASTEST / SPEEDS[0]));
                 let (side, height) = (offset * cos, offset * sin);
                 let strike = Strike { speed, azimuth, elevation: 0.0, side, height };
-                self.try_hit((position, 0), strike, ball.index)?;
+                self.try_hit(at, strike, ball.index)?;
             }
             // A hit that cannot be played costs nothing, but the loop has to end.
-            self.plays = self.plays.max(before + 1);
+            self.bench.plays = self.bench.plays.max(before + 1);
         }
         Ok(index)
     }
@@ -90,25 +93,24 @@ impl Explorer<'_> {
     ///
     /// # Errors
     /// As [`Explorer::ruled`].
-    pub(crate) fn anything(&mut self, prepared: &Prepared<'_>, place: usize) -> Result<(), Error> {
+    pub(crate) fn anything(&mut self, at: CuePlace<'_>, until: u64) -> Result<(), Error> {
         let first = self.targets.first.first().copied().unwrap_or_default();
         for speed in [2.5, 1.2, 5.0] {
             for k in 0..DIRECTIONS {
                 let azimuth = TAU * f64::from(k) / f64::from(DIRECTIONS);
-                self.try_safety(prepared, place, (azimuth, first), [speed, 0.0])?;
+                if self.bench.plays < until {
+                    self.try_hit(at, level_strike(speed, azimuth, 0.0), first)?;
+                }
             }
         }
         if self.found.is_empty() {
             // No shot is legal: the foul that leaves the least.
-            let strike =
-                Strike { speed: 2.5, azimuth: 0.0, elevation: 0.0, side: 0.0, height: 0.0 };
-            let strike = Self::raised(prepared, strike);
-            self.sampler.simulate(prepared, &strike)?;
-            self.plays += 1;
-            let call = call_of(self.turn, first, None);
-            let (value, _) = self.ruled(prepared, call)?;
-            let kind = (PlayKind::Safety, None, value);
-            self.keep(strike, call, kind, (place, prepared));
+            let strike = raised(at.prepared, level_strike(2.5, 0.0, 0.0));
+            self.bench.sampler.simulate(at.prepared, &strike)?;
+            self.bench.plays += 1;
+            let call = call_of(self.task.turn, first, None);
+            let (prior, _) = self.ruled(at.prepared, call)?;
+            self.keep(at, FoundPlay { strike, call, kind: PlayKind::Safety, line: None, prior });
         }
         Ok(())
     }
@@ -118,20 +120,20 @@ impl Explorer<'_> {
     ///
     /// # Errors
     /// As [`Explorer::ruled`].
-    pub(crate) fn push_outs(&mut self, prepared: &Prepared<'_>, place: usize) -> Result<(), Error> {
+    pub(crate) fn push_outs(&mut self, at: CuePlace<'_>, until: u64) -> Result<(), Error> {
         for speed in [0.6, 1.2, 2.0] {
             for k in 0..DIRECTIONS / 3 {
                 let azimuth = TAU * f64::from(k) / f64::from(DIRECTIONS / 3);
-                let strike = Strike { speed, azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
-                let strike = Self::raised(prepared, strike);
-                if self.is_spent() || self.sampler.simulate(prepared, &strike).is_err() {
+                let strike = raised(at.prepared, level_strike(speed, azimuth, 0.0));
+                let is_spent = self.bench.plays >= until;
+                if is_spent || self.bench.sampler.simulate(at.prepared, &strike).is_err() {
                     continue;
                 }
-                self.plays += 1;
-                let (value, is_legal) = self.ruled(prepared, Call::PushOut)?;
+                self.bench.plays += 1;
+                let (call, kind) = (Call::PushOut, PlayKind::PushOut);
+                let (prior, is_legal) = self.ruled(at.prepared, call)?;
                 if is_legal {
-                    let kind = (PlayKind::PushOut, None, value);
-                    self.keep(strike, Call::PushOut, kind, (place, prepared));
+                    self.keep(at, FoundPlay { strike, call, kind, line: None, prior });
                 }
             }
         }
@@ -178,55 +180,43 @@ impl Explorer<'_> {
         azimuths
     }
 
-    fn try_safety(
-        &mut self,
-        prepared: &Prepared<'_>,
-        place: usize,
-        (azimuth, first): (f64, BallIndex),
-        [speed, height]: [f64; 2],
-    ) -> Result<(), Error> {
-        if self.is_spent() {
-            return Ok(());
-        }
-        let strike = Strike { speed, azimuth, elevation: 0.0, side: 0.0, height };
-        self.try_hit((prepared, place), strike, first)
-    }
-
     /// Keeps a strike that is to hit `first`, if it is legal. A ball that falls is called where calls are made.
-    fn try_hit(
-        &mut self,
-        (prepared, place): (&Prepared<'_>, usize),
-        strike: Strike,
-        first: BallIndex,
-    ) -> Result<(), Error> {
-        let strike = Self::raised(prepared, strike);
-        if self.sampler.simulate(prepared, &strike).is_err() {
+    fn try_hit(&mut self, at: CuePlace<'_>, strike: Strike, first: BallIndex) -> Result<(), Error> {
+        let prepared = at.prepared;
+        let strike = raised(prepared, strike);
+        if self.bench.sampler.simulate(prepared, &strike).is_err() {
             return Ok(());
         }
-        self.plays += 1;
+        self.bench.plays += 1;
         let pot = self.potted();
-        let call = call_of(self.turn, first, pot);
+        let call = call_of(self.task.turn, first, pot);
         let (value, is_legal) = self.ruled(prepared, call)?;
         if is_legal {
-            let scores = self.successor.keeps_turn(self.seat());
+            let scores = self.keeps_turn();
             let prior = if scores { LUCK * value } else { value };
-            let kind = match self.situation.frame.rules() {
+            let kind = match self.task.frame().rules() {
                 _ if !scores => PlayKind::Safety,
                 Rules::ThreeCushion => PlayKind::Carom,
                 _ => PlayKind::Indirect,
             };
-            let without_line = pot.filter(|pot| !self.has_direct_line(*pot, strike.azimuth));
+            let without_line =
+                pot.filter(|(ball, pocket)| self.measures_window(*ball, *pocket, strike.azimuth));
             match (kind, without_line) {
-                (PlayKind::Indirect, Some(pot)) if self.measures_windows => {
+                (PlayKind::Indirect, Some(pot)) => {
                     let meant = MeantPot { pot, call, kind, line: None };
                     let error = self.direction_error(prepared);
-                    self.center((prepared, place), strike, meant, error)?;
+                    self.center(at, strike, meant, error)?;
                 }
-                _ => self.keep(strike, call, (kind, None, prior), (place, prepared)),
+                _ => self.keep(at, FoundPlay { strike, call, kind, line: None, prior }),
             }
         }
         Ok(())
     }
+}
+
+/// A strike with a level cue and no side. `speed` in m/s, `azimuth` in rad, `height` in ball radii.
+const fn level_strike(speed: f64, azimuth: f64, height: f64) -> Strike {
+    Strike { speed, azimuth, elevation: 0.0, side: 0.0, height }
 }
 
 /// The mirror image number `k` of the coordinate `x` between cushions at ±`half`.

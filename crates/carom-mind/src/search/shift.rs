@@ -9,12 +9,17 @@
 //! correlated or measured errors it is an approximation. It only proposes where to look: the moved play
 //! is then judged by samples of its own, under the noise itself.
 
-use carom::Noise;
 use carom::math::exp;
 use carom::resolve::cue_ball::Strike;
+use carom_plan::Prepared;
+use carom_rules::Play;
 
 use super::candidate::{Candidate, PlayedVariant};
+use super::strike_errors::{ErrorScale, largest_offset, moved};
+use super::task::ShotTask;
 
+/// Finalists that are moved.
+const SHIFTED: usize = 4;
 /// Fewest samples for a shift. With fewer the hill is noise.
 const LEAST_SAMPLES: usize = 48;
 /// Smallest effective sample size, as a share of the samples.
@@ -23,48 +28,47 @@ const LEAST_EFFECTIVE: f64 = 0.25;
 const FIRST_STEP: f64 = 0.5;
 const LAST_STEP: f64 = 0.1;
 
-/// The standard deviations of the parameters of a strike with this `speed` (m/s): azimuth, speed, side,
-/// height. `radius` is the cue ball's, m.
-pub(crate) fn deviations(noise: &Noise, speed: f64, radius: f64) -> [f64; 4] {
-    let [speed, azimuth, _, side, height] = noise.deviations(speed);
-    [azimuth, speed, side / radius, height / radius]
-}
-
-/// The mean errors of the same parameters.
-pub(crate) fn means(noise: &Noise, radius: f64) -> [f64; 4] {
-    let [speed, azimuth, _, side, height] = noise.mean();
-    [azimuth, speed, side / radius, height / radius]
-}
-
-/// `strike` moved by `steps` standard deviations.
-pub(crate) fn moved(strike: &Strike, deviations: &[f64; 4], steps: &[f64; 4]) -> Strike {
-    let by = |k: usize| deviations[k] * steps[k];
-    Strike {
-        azimuth: strike.azimuth + by(0),
-        speed: strike.speed + by(1),
-        side: strike.side + by(2),
-        height: strike.height + by(3),
-        ..*strike
-    }
+/// Adds the best [`SHIFTED`] of the candidates moved uphill, within `speeds` (the least and the greatest, m/s).
+pub(crate) fn shift(
+    candidates: &mut Vec<Candidate>,
+    task: &ShotTask<'_>,
+    prepared: &[Prepared<'_>],
+    speeds: [f64; 2],
+) {
+    let (noise, radius) = (task.noise(), task.cue_radius());
+    let moved: Vec<Candidate> = candidates
+        .iter()
+        .take(SHIFTED)
+        .filter_map(|candidate| {
+            let strike = &candidate.play.strike;
+            let most = largest_offset(prepared[candidate.place].shot(), noise, radius);
+            let scale = ErrorScale::of(noise, strike.speed, radius);
+            let strike = uphill(candidate, &scale, speeds, most.max(strike.offset()))?;
+            let play = Play { strike, ..candidate.play };
+            let (samples, prior) = (Vec::new(), candidate.mean());
+            Some(Candidate { play, samples, prior, correction: 0.0, ..candidate.clone() })
+        })
+        .collect();
+    candidates.extend(moved);
 }
 
 /// The intended strike near that of `candidate` with the highest estimated value; none if there
 /// are too few samples, or no better one. An intention has one of `speeds` (the least and the greatest,
 /// m/s), and a tip offset of at most `most` ball radii.
-pub(crate) fn uphill(
+fn uphill(
     candidate: &Candidate,
-    (means, deviations): (&[f64; 4], &[f64; 4]),
-    ([slowest, fastest], most): ([f64; 2], f64),
+    scale: &ErrorScale,
+    [slowest, fastest]: [f64; 2],
+    most: f64,
 ) -> Option<Strike> {
+    let deviations = &scale.deviation;
     let samples = &candidate.samples;
     if samples.len() < LEAST_SAMPLES {
         return None;
     }
     let meant = &candidate.play.strike;
-    let errors: Vec<([f64; 4], f64)> = samples
-        .iter()
-        .map(|sample| (error(sample, meant, (means, deviations)), sample.value))
-        .collect();
+    let errors: Vec<([f64; 4], f64)> =
+        samples.iter().map(|sample| (error(sample, meant, scale), sample.value)).collect();
     let mut best = [0.0; 4];
     let mut value = estimate(&errors, &best)?;
     let start = value;
@@ -93,11 +97,8 @@ pub(crate) fn uphill(
 }
 
 /// The error of a sample beside the mean, in standard deviations; 0 where there is none.
-fn error(
-    sample: &PlayedVariant,
-    meant: &Strike,
-    (means, deviations): (&[f64; 4], &[f64; 4]),
-) -> [f64; 4] {
+fn error(sample: &PlayedVariant, meant: &Strike, scale: &ErrorScale) -> [f64; 4] {
+    let ErrorScale { mean, deviation } = scale;
     let executed = &sample.executed;
     let differences = [
         executed.azimuth - meant.azimuth,
@@ -106,7 +107,7 @@ fn error(
         executed.height - meant.height,
     ];
     core::array::from_fn(|k| {
-        if deviations[k] > 0.0 { (differences[k] - means[k]) / deviations[k] } else { 0.0 }
+        if deviation[k] > 0.0 { (differences[k] - mean[k]) / deviation[k] } else { 0.0 }
     })
 }
 
@@ -133,7 +134,7 @@ mod tests {
     use carom::{Noise, math};
     use carom_rules::Play;
 
-    use super::{deviations, means, uphill};
+    use super::{ErrorScale, uphill};
     use crate::search::{Candidate, PlayKind, PlayedVariant};
 
     const MEANT: Strike =
@@ -174,14 +175,13 @@ mod tests {
     #[test]
     fn an_intention_moves_towards_the_top_of_a_hill() {
         let noise = Noise::olympiad(1.0);
-        let deviations = deviations(&noise, MEANT.speed, 0.028575);
+        let scale = ErrorScale::of(&noise, MEANT.speed, 0.028575);
         let top = MEANT.azimuth + 0.8 * noise.azimuth;
         let hill = |strike: &Strike| {
             let off = (strike.azimuth - top) / noise.azimuth;
             math::exp(-off * off)
         };
-        let moved =
-            uphill(&candidate(&noise, 400, hill), (&[0.0; 4], &deviations), (SPEEDS, 0.5)).unwrap();
+        let moved = uphill(&candidate(&noise, 400, hill), &scale, SPEEDS, 0.5).unwrap();
         let share = (moved.azimuth - MEANT.azimuth) / noise.azimuth;
         assert!((0.4..1.2).contains(&share), "{share}");
     }
@@ -189,15 +189,14 @@ mod tests {
     #[test]
     fn a_bias_is_not_taken_for_a_hill() {
         let noise = Noise { bias: [0.0, 0.002, 0.0, 0.0, 0.0], ..Noise::olympiad(1.0) };
-        let (means, deviations) =
-            (means(&noise, 0.028575), deviations(&noise, MEANT.speed, 0.028575));
+        let scale = ErrorScale::of(&noise, MEANT.speed, 0.028575);
         // The best execution is the intended strike without its error.
         let hill = |strike: &Strike| {
             let off = (strike.azimuth - MEANT.azimuth) / noise.azimuth;
             math::exp(-off * off)
         };
         let candidate = candidate(&noise, 400, hill);
-        let moved = uphill(&candidate, (&means, &deviations), (SPEEDS, 0.5)).unwrap();
+        let moved = uphill(&candidate, &scale, SPEEDS, 0.5).unwrap();
         let share = (moved.azimuth - MEANT.azimuth) / 0.002;
         assert!((-1.4..-0.4).contains(&share), "{share}");
     }
@@ -205,24 +204,17 @@ mod tests {
     #[test]
     fn few_samples_and_level_ground_move_nothing() {
         let noise = Noise::olympiad(1.0);
-        let deviations = deviations(&noise, MEANT.speed, 0.028575);
-        assert_eq!(
-            uphill(&candidate(&noise, 20, |s| s.azimuth), (&[0.0; 4], &deviations), (SPEEDS, 0.5)),
-            None
-        );
-        assert_eq!(
-            uphill(&candidate(&noise, 200, |_| 0.5), (&[0.0; 4], &deviations), (SPEEDS, 0.5)),
-            None
-        );
+        let scale = ErrorScale::of(&noise, MEANT.speed, 0.028575);
+        assert_eq!(uphill(&candidate(&noise, 20, |s| s.azimuth), &scale, SPEEDS, 0.5), None);
+        assert_eq!(uphill(&candidate(&noise, 200, |_| 0.5), &scale, SPEEDS, 0.5), None);
     }
 
     #[test]
     fn an_intention_stays_within_the_speeds() {
         let noise = Noise::olympiad(1.0);
-        let deviations = deviations(&noise, MEANT.speed, 0.028575);
+        let scale = ErrorScale::of(&noise, MEANT.speed, 0.028575);
         let candidate = candidate(&noise, 400, |strike| strike.speed);
-        let speed =
-            |speeds| uphill(&candidate, (&[0.0; 4], &deviations), (speeds, 0.5)).unwrap().speed;
+        let speed = |speeds| uphill(&candidate, &scale, speeds, 0.5).unwrap().speed;
         assert!(speed(SPEEDS) > MEANT.speed + 0.4 * noise.speed);
         let fastest = MEANT.speed + 0.2 * noise.speed;
         assert!((MEANT.speed..=fastest).contains(&speed([0.0, fastest])));
@@ -231,9 +223,8 @@ mod tests {
     #[test]
     fn an_intention_stays_within_the_largest_tip_offset() {
         let noise = Noise::olympiad(1.0);
-        let deviations = deviations(&noise, MEANT.speed, 0.028575);
-        let moved =
-            uphill(&candidate(&noise, 400, |s| s.side), (&[0.0; 4], &deviations), (SPEEDS, 0.11));
+        let scale = ErrorScale::of(&noise, MEANT.speed, 0.028575);
+        let moved = uphill(&candidate(&noise, 400, |s| s.side), &scale, SPEEDS, 0.11);
         assert!(moved.is_none_or(|strike| strike.offset() <= 0.11), "{moved:?}");
     }
 }

@@ -13,8 +13,8 @@ use carom::table::PocketName;
 use carom_rules::{BallIndex, Call};
 
 use super::candidate::{Candidate, PlayKind};
-use super::explore::{DirectPot, Explorer};
-use super::shift::{deviations, moved};
+use super::explore::{CuePlace, DirectPot, Explorer, FoundPlay};
+use super::strike_errors::{ErrorScale, moved};
 use crate::aim::{Aimed, LineMiss, LineRecorder};
 use crate::line::{Line, LineKind, direction_error};
 use carom_plan::Prepared;
@@ -58,12 +58,12 @@ impl Explorer<'_> {
     /// As [`Explorer::ruled`].
     pub(crate) fn center(
         &mut self,
-        (prepared, place): (&Prepared<'_>, usize),
+        at: CuePlace<'_>,
         strike: Strike,
         meant: MeantPot,
         error: f64,
     ) -> Result<Option<f64>, Error> {
-        let step = STEP * error;
+        let (step, prepared) = (STEP * error, at.prepared);
         let mut reach = [0_u32; 2];
         // What a miss to either side leaves. A side on which no strike misses loses nothing.
         let mut missed = [0.0; 2];
@@ -88,7 +88,8 @@ impl Explorer<'_> {
         let chance = FALLS * libm::erf(half / (SQRT_2 * error));
         let missed = 0.5 * (missed[0] + missed[1]);
         let prior = chance * value + (1.0 - chance) * missed.min(value);
-        self.keep(middle, meant.call, (meant.kind, meant.line, prior), (place, prepared));
+        let MeantPot { call, kind, line, .. } = meant;
+        self.keep(at, FoundPlay { strike: middle, call, kind, line, prior });
         Ok(Some(prior))
     }
 
@@ -98,29 +99,36 @@ impl Explorer<'_> {
     /// As [`Explorer::ruled`].
     pub(crate) fn find_again(
         &mut self,
-        (prepared, place): (&Prepared<'_>, usize),
+        at: CuePlace<'_>,
         strike: Strike,
         meant: MeantPot,
     ) -> Result<(), Error> {
-        let step = STEP * self.direction_error(prepared);
+        let error = self.direction_error(at.prepared);
+        let step = STEP * error;
         for count in 0..=2 * LOST_STEPS {
             let side = if count % 2 == 0 { 1.0 } else { -1.0 };
             let azimuth = strike.azimuth + side * step * f64::from(count.div_ceil(2));
             let strike = Strike { azimuth, ..strike };
-            if self.makes(prepared, &strike, &meant)?.0 {
-                let error = self.direction_error(prepared);
-                self.center((prepared, place), strike, meant, error)?;
+            if self.makes(at.prepared, &strike, &meant)?.0 {
+                self.center(at, strike, meant, error)?;
                 break;
             }
         }
         Ok(())
     }
 
-    /// Whether a direct line makes this pot in about this direction.
-    pub(crate) fn has_direct_line(&self, pot: (BallIndex, PocketName), azimuth: f64) -> bool {
-        self.direct_pots.iter().any(|(other, way)| {
-            let turn = carom::math::sin_cos(azimuth - way).0;
-            *other == pot && turn.abs() < SAME_LINE
+    /// Whether the window of a pot in about this direction is measured: no direct line makes it there.
+    pub(crate) fn measures_window(
+        &self,
+        ball: BallIndex,
+        pocket: PocketName,
+        azimuth: f64,
+    ) -> bool {
+        self.direct_pots.as_ref().is_some_and(|pots| {
+            !pots.iter().any(|direct| {
+                let turn = carom::math::sin_cos(azimuth - direct.azimuth).0;
+                (direct.ball, direct.pocket) == (ball, pocket) && turn.abs() < SAME_LINE
+            })
         })
     }
 
@@ -136,16 +144,17 @@ impl Explorer<'_> {
         line: &Line,
         aimed: &Aimed,
     ) -> Result<f64, Error> {
-        let noise = &self.situation.noise[self.seat()];
-        let deviations = deviations(noise, aimed.strike.speed, prepared.struck_ball().radius);
+        let noise = self.task.noise();
+        let radius = prepared.struck_ball().radius;
+        let deviations = ErrorScale::of(noise, aimed.strike.speed, radius).deviation;
         let mut sum = deviations[0] * deviations[0];
         for k in (1..4).filter(|k| deviations[*k] > 0.0) {
             let mut steps = [0.0; 4];
             steps[k] = 1.0;
             let strike = moved(&aimed.strike, &deviations, &steps);
             let Some(mut recorder) = LineRecorder::new(line, prepared) else { continue };
-            self.plays += 1;
-            match self.sampler.simulate_recorded(prepared, &strike, &mut recorder) {
+            self.bench.plays += 1;
+            match self.bench.sampler.simulate_recorded(prepared, &strike, &mut recorder) {
                 Ok(()) => {}
                 Err(Error::Input(_)) => continue,
                 Err(error) => return Err(error),
@@ -164,7 +173,7 @@ impl Explorer<'_> {
 
     /// The standard deviation of the cue ball's direction, rad.
     pub(crate) fn direction_error(&self, prepared: &Prepared<'_>) -> f64 {
-        direction_error(&self.situation.noise[self.seat()], prepared.struck_ball().radius)
+        direction_error(self.task.noise(), prepared.struck_ball().radius)
     }
 
     /// Plays `strike`: whether it makes the pot and keeps the turn, and its value. Where no pocket is
@@ -175,14 +184,14 @@ impl Explorer<'_> {
         strike: &Strike,
         meant: &MeantPot,
     ) -> Result<(bool, f64), Error> {
-        self.plays += 1;
-        if self.sampler.simulate(prepared, strike).is_err() {
+        self.bench.plays += 1;
+        if self.bench.sampler.simulate(prepared, strike).is_err() {
             return Ok((false, 0.0));
         }
         let is_called = matches!(meant.call, Call::Pocket(..));
-        let falls = !is_called || self.sampler.outcome().pocketed.contains(&meant.pot);
+        let falls = !is_called || self.bench.sampler.outcome().pocketed.contains(&meant.pot);
         let (value, is_legal) = self.ruled(prepared, meant.call)?;
-        Ok((falls && is_legal && self.successor.keeps_turn(self.seat()), value))
+        Ok((falls && is_legal && self.keeps_turn(), value))
     }
 }
 
@@ -193,17 +202,23 @@ pub(crate) fn direct_pots<'a>(
 ) -> Vec<DirectPot> {
     let table = prepared.shot().table();
     let direct = lines.filter(|line| line.kind == LineKind::Direct);
-    direct.map(|line| (line.pot(table), line.azimuth)).collect()
+    let pot = |line: &Line| {
+        let (ball, pocket) = line.pot(table);
+        DirectPot { ball, pocket, azimuth: line.azimuth }
+    };
+    direct.map(pot).collect()
 }
 
 #[cfg(test)]
 mod tests {
     use carom::Noise;
     use carom::table::PocketName;
-    use carom_rules::{Frame, Options, Request, Rules};
+    use carom_rules::{Frame, Options, Rules};
 
     use super::*;
     use crate::player::Situation;
+    use crate::search::explore::raised;
+    use crate::search::task::ShotTask;
     use crate::value::Markov;
 
     /// A frame of nine-ball with these places of the cue ball and the nine.
@@ -217,13 +232,13 @@ mod tests {
     }
 
     /// The candidates that `find` adds for a frame.
-    fn found(frame: &Frame, find: impl FnOnce(&mut Explorer<'_>, &Prepared<'_>)) -> Vec<Candidate> {
-        let Request::Shot(turn) = frame.request() else { panic!("another request") };
+    fn found(frame: &Frame, find: impl FnOnce(&mut Explorer<'_>, CuePlace<'_>)) -> Vec<Candidate> {
         let situation = Situation::new(frame, Noise::olympiad(1.0), 1);
         let value = Markov::default();
-        let mut explorer = Explorer::new(&situation, &value, turn, 1000);
+        let task = ShotTask::new(&situation, &value).expect("a shot");
+        let mut explorer = Explorer::new(task);
         let prepared = Prepared::new(frame, None).expect("a position");
-        find(&mut explorer, &prepared);
+        find(&mut explorer, CuePlace { number: 0, prepared: &prepared });
         explorer.found
     }
 
@@ -247,9 +262,9 @@ mod tests {
             .into_iter()
             .flat_map(|turn| {
                 let (frame, strike) = straight(turn);
-                found(&frame, |explorer, prepared| {
-                    let strike = Explorer::raised(prepared, strike);
-                    explorer.center((prepared, 0), strike, AIM, 0.0025).expect("simulations");
+                found(&frame, |explorer, at| {
+                    let strike = raised(at.prepared, strike);
+                    explorer.center(at, strike, AIM, 0.0025).expect("simulations");
                 })
             })
             .collect();
@@ -265,12 +280,10 @@ mod tests {
     #[test]
     fn a_strike_beside_its_window_finds_it_again() {
         let (frame, strike) = straight(0.009);
-        let all = found(&frame, |explorer, prepared| {
-            let strike = Explorer::raised(prepared, strike);
-            assert!(!explorer.makes(prepared, &strike, &AIM).expect("a simulation").0);
-            explorer
-                .find_again((prepared, 0), Explorer::raised(prepared, strike), AIM)
-                .expect("simulations");
+        let all = found(&frame, |explorer, at| {
+            let strike = raised(at.prepared, strike);
+            assert!(!explorer.makes(at.prepared, &strike, &AIM).expect("a simulation").0);
+            explorer.find_again(at, strike, AIM).expect("simulations");
         });
         assert_eq!(all.len(), 1);
         assert!(all[0].play.strike.azimuth < strike.azimuth - 0.001);
@@ -280,13 +293,13 @@ mod tests {
     fn a_direct_line_makes_its_pot_in_its_direction_only() {
         let (frame, _) = straight(0.0);
         found(&frame, |explorer, _| {
-            explorer.direct_pots = vec![((9, PocketName::TopRight), 0.8)];
-            assert!(explorer.has_direct_line((9, PocketName::TopRight), 0.82));
-            assert!(
-                explorer.has_direct_line((9, PocketName::TopRight), 0.8 - core::f64::consts::TAU)
-            );
-            assert!(!explorer.has_direct_line((9, PocketName::TopRight), 0.84));
-            assert!(!explorer.has_direct_line((9, PocketName::TopLeft), 0.8));
+            use PocketName::{TopLeft, TopRight};
+            explorer.direct_pots =
+                Some(vec![DirectPot { ball: 9, pocket: TopRight, azimuth: 0.8 }]);
+            assert!(!explorer.measures_window(9, TopRight, 0.82));
+            assert!(!explorer.measures_window(9, TopRight, 0.8 - core::f64::consts::TAU));
+            assert!(explorer.measures_window(9, TopRight, 0.84));
+            assert!(explorer.measures_window(9, TopLeft, 0.8));
         });
     }
 }

@@ -5,16 +5,16 @@ use carom_rules::{Choice, Frame, Request, Seat};
 
 use super::Searcher;
 use crate::player::{Answer, Budget, Decision, Situation, Spent};
-use crate::search::Rounds;
+use crate::search::ShotSearch;
 use crate::value::Position;
 
 /// One of the choices, and the search of what follows it.
-struct Branch {
+struct Branch<'a> {
     choice: Choice,
-    /// The frame after the choice.
-    frame: Frame,
+    /// What the players know after the choice.
+    situation: &'a Situation<'a>,
     /// None if the frame asks for another choice, or is over.
-    rounds: Option<Rounds>,
+    search: Option<ShotSearch<'a>>,
 }
 
 impl Searcher {
@@ -25,8 +25,10 @@ impl Searcher {
     /// As [`crate::Player::decide`].
     pub(super) fn choose(
         &self,
-        (situation, budget): (&Situation<'_>, &Budget<'_>),
-        (seat, choices): (Seat, &[Choice]),
+        situation: &Situation<'_>,
+        budget: &Budget<'_>,
+        seat: Seat,
+        choices: &[Choice],
     ) -> Result<Decision, Error> {
         let share = Budget {
             simulations: budget.simulations / choices.len().max(1) as u64,
@@ -34,25 +36,29 @@ impl Searcher {
             rounds: None,
             is_over: &|_| false,
         };
-        let begin = |choice: &Choice| -> Result<Branch, Error> {
+        let chosen = |choice: &Choice| -> Result<Frame, Error> {
             let mut frame = situation.frame.clone();
             frame.choose(*choice)?;
-            let after = Situation { frame: &frame, ..situation.clone() };
-            let rounds = match frame.request() {
-                Request::Shot(_) => Some(self.begin(&after, &share, self.settings().stated)?),
+            Ok(frame)
+        };
+        let frames = choices.iter().map(chosen).collect::<Result<Vec<Frame>, Error>>()?;
+        let after = |frame| Situation { frame, ..situation.clone() };
+        let situations: Vec<Situation<'_>> = frames.iter().map(after).collect();
+        let mut branches = Vec::new();
+        for (choice, situation) in choices.iter().copied().zip(&situations) {
+            let search = match situation.frame.request() {
+                Request::Shot(_) => Some(self.search(situation, &share, self.settings().stated)?),
                 _ => None,
             };
-            Ok(Branch { choice: *choice, frame, rounds })
-        };
-        let mut branches = choices.iter().map(begin).collect::<Result<Vec<Branch>, Error>>()?;
+            branches.push(Branch { choice, situation, search });
+        }
         let mut spent = Spent::default();
         while budget.allows(spent, 0) {
             let before = spent.simulations;
-            for Branch { frame, rounds, .. } in &mut branches {
-                let Some(rounds) = rounds else { continue };
-                let so_far = rounds.spent().simulations;
-                self.play_round(rounds, &Situation { frame, ..situation.clone() }, &share)?;
-                spent.simulations += rounds.spent().simulations - so_far;
+            for search in branches.iter_mut().filter_map(|branch| branch.search.as_mut()) {
+                let so_far = search.rounds().spent().simulations;
+                search.play_round()?;
+                spent.simulations += search.rounds().spent().simulations - so_far;
             }
             if spent.simulations == before {
                 break;
@@ -61,17 +67,13 @@ impl Searcher {
         }
         let mut best: Option<(Choice, f64)> = None;
         spent.simulations = 0;
-        for Branch { choice, frame, rounds } in branches {
-            let after = Situation { frame: &frame, ..situation.clone() };
-            let found = rounds.map(|rounds| self.found(rounds, &after, &share)).transpose()?;
+        for Branch { choice, situation: Situation { frame, noise, .. }, search } in branches {
+            let found = search.map(ShotSearch::found).transpose()?;
             spent.simulations += found.as_ref().map_or(0, |found| found.spent.simulations);
             let own = match found.as_ref().and_then(|found| found.candidates.first()) {
                 Some(play) if frame.player() == Some(seat) => play.stated_win(),
                 Some(play) => 1.0 - play.stated_win(),
-                None => {
-                    let position = Position { frame: &frame, noise: &situation.noise };
-                    self.value().win_chance(&position, seat)
-                }
+                None => self.value().win_chance(&Position { frame, noise }, seat),
             };
             if best.is_none_or(|(_, most)| own > most) {
                 best = Some((choice, own));

@@ -53,9 +53,9 @@ impl Features {
         } else {
             ways.chances(&position.noise[other])
         };
-        let [ours, theirs] = eases(&needs, own, (&chances, &others));
+        let [ours, theirs] = eases(&needs, own, &chances, &others);
         let on = set_of(Targets::of(frame, turn).first.iter().copied());
-        let promise = ways.promise(turn, (on, |ball| needs.after(ball)), noise);
+        let promise = ways.promise(turn, on, |ball| needs.after(ball), noise);
         // The first pot from where the cue ball lies, and all other balls from usual places.
         let first_ball = promise.ball.map_or(0.0, |ball| log_in_run(chances[usize::from(ball)]));
         let rest = ours.log_run - first_ball;
@@ -69,7 +69,7 @@ impl Features {
         let fouls = [own, other].map(|seat| f64::from(frame.fouls_in_a_row()[seat]));
         Self([
             1.0,
-            odds(Markov::slow().shooter(position, turn, (usual, promise.first))),
+            odds(Markov::slow().shooter(position, turn, usual, promise.first)),
             promise.first,
             promise.next,
             promise.mean_next,
@@ -101,7 +101,8 @@ fn chain(own: f64, other: f64) -> f64 {
 fn eases(
     needs: &Needs,
     own: Seat,
-    (chances, others): (&[f64; MOST_BALLS], &[f64; MOST_BALLS]),
+    chances: &[f64; MOST_BALLS],
+    others: &[f64; MOST_BALLS],
 ) -> [Ease; 2] {
     let (balls, balls_of_other) = (needs.balls(own), needs.balls(1 - own));
     let ours = Ease::of(balls, chances);

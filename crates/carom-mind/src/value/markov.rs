@@ -70,7 +70,7 @@ impl Value for Markov {
 
     fn of_shot(&self, position: &Position<'_>, turn: &Turn) -> f64 {
         let lanes = Lanes::of(position.frame, turn, &position.noise[turn.player]);
-        self.shooter(position, turn, (Reference::chances(position), lanes.chances[0]))
+        self.shooter(position, turn, Reference::chances(position), lanes.chances[0])
     }
 }
 
@@ -86,7 +86,8 @@ impl Markov {
         &self,
         position: &Position<'_>,
         turn: &Turn,
-        (usual, best): ([f64; 2], f64),
+        usual: [f64; 2],
+        best: f64,
     ) -> f64 {
         let frame = position.frame;
         let (own, other) = (turn.player, 1 - turn.player);

@@ -182,7 +182,8 @@ impl<'a> Ways<'a> {
     pub(crate) fn promise(
         &self,
         turn: &Turn,
-        (on, next): (BallMask, impl Fn(BallIndex) -> BallMask),
+        on: BallMask,
+        next: impl Fn(BallIndex) -> BallMask,
         noise: &Noise,
     ) -> Promise {
         let error = direction_error(noise, self.radius);
@@ -346,7 +347,7 @@ mod tests {
             let frame = frame(places);
             let (turn, needs) = (frame.turn().unwrap(), Needs::of(&frame, frame.turn().unwrap()));
             let on = only(turn.on[0]);
-            Ways::of(&frame, turn).promise(turn, (on, |ball| needs.after(ball)), &noise)
+            Ways::of(&frame, turn).promise(turn, on, |ball| needs.after(ball), &noise)
         };
         let last = promise(&[(0, [0.5, 0.5]), (9, [0.2, 0.2])]);
         assert_eq!((last.first, last.ball), (last.next, Some(9)));
