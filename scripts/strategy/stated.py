@@ -72,8 +72,7 @@ class Stated:
                     "kept": [float(best.kept), kept],
                     "foul": [float(best.foul), foul],
                 }
-                strike = noise.draw(best.shot, shots, seed=seed)
-                frame.play(strike, cue_ball=best.play.cue_ball, call=best.play.call)
+                carom.Decision(best.play).apply(frame, noise=noise, seed=seed)
                 shots += 1
             else:
                 player.choose(frame).apply(frame)

@@ -82,13 +82,8 @@ class Visits:
         seat, shots = frame.player, 0
         while not frame.over and frame.player == seat:
             decision = player.choose(frame)
-            play = decision.play
-            if play is None:
-                decision.apply(frame)
-                continue
-            strike = noise.draw(play.shot(frame), shots, seed=seed)
-            frame.play(strike, cue_ball=play.cue_ball, call=play.call)
-            shots += 1
+            decision.apply(frame, noise=noise, seed=seed)
+            shots += decision.play is not None
         won = frame.over and frame.request.get("winner") == seat
         return {
             "number": number,

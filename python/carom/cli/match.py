@@ -14,7 +14,7 @@ import carom
 from carom import Call, Perception, Play, Strike
 from carom.batch import own_strike
 from carom.cli.options import Json, Level, named_noise
-from carom.cli.output import emit, read, say
+from carom.cli.output import emit, emit_answer, read, say
 from carom.errors import InputError
 
 T = TypeVar("T")
@@ -150,7 +150,7 @@ def match(
     except KeyboardInterrupt:
         say("stopped; the same command continues from here")
         raise
-    emit(js.dumps(result.to_dict()) if json else str(result))
+    emit_answer(result, json=json)
 
 
 def _replay(

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import contextlib
-import json
+import json as js
 import signal
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, Protocol
 
 import carom
 from carom.errors import InputError
@@ -17,6 +17,7 @@ from carom.streams import emit
 
 __all__ = [
     "emit",
+    "emit_answer",
     "file_name",
     "keep_sockets",
     "read",
@@ -27,6 +28,14 @@ __all__ = [
 ]
 
 
+class Answer(Protocol):
+    """What a question finds: it prints as text, and has its values for JSON."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values."""
+        ...
+
+
 def say(text: str) -> None:
     """Print one sentence to stderr."""
     _print_error_line(f"carom: {printable(text)}")
@@ -34,7 +43,12 @@ def say(text: str) -> None:
 
 def say_json(data: Any) -> None:
     """Print JSON to stderr, for a bug report."""
-    _print_error_line(json.dumps(data))
+    _print_error_line(js.dumps(data))
+
+
+def emit_answer(answer: Answer, *, json: bool) -> None:
+    """Print an answer as JSON or as text."""
+    emit(js.dumps(answer.to_dict()) if json else str(answer))
 
 
 def _print_error_line(line: str) -> None:

@@ -30,7 +30,7 @@ from carom.cli.options import (
     noise_of,
     title_of,
 )
-from carom.cli.output import emit, read_shot
+from carom.cli.output import emit, emit_answer, read_shot
 from carom.cli.values import numbers
 from carom.errors import InputError
 from carom.lazy import LazyModule
@@ -111,7 +111,7 @@ def evaluate(
         level=level,
         progress=sys.stderr.isatty(),
     )
-    emit(js.dumps(answer.to_dict()) if json else str(answer))
+    emit_answer(answer, json=json)
     draw(lambda: evaluation_picture.draw(answer, title=title_of(file)), svg=svg, png=png)
 
 
@@ -459,7 +459,7 @@ def stats_break(
         level=level,
         progress=sys.stderr.isatty(),
     )
-    emit(js.dumps(found.to_dict()) if json else str(found))
+    emit_answer(found, json=json)
     draw(lambda: maps_picture.draw(found), svg=svg, png=png)
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json as js
 import sys
 from pathlib import Path
 from typing import Annotated
@@ -10,7 +9,7 @@ from typing import Annotated
 import typer
 
 import carom
-from carom.cli.output import emit, file_name, keep_sockets, read, say
+from carom.cli.output import emit_answer, file_name, keep_sockets, read, say
 
 
 def sweep(
@@ -57,4 +56,4 @@ def sweep(
     except KeyboardInterrupt:
         say("stopped; the same command continues from here")
         raise
-    emit(js.dumps(report.to_dict()) if json else str(report))
+    emit_answer(report, json=json)

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json as js
 from dataclasses import replace
 from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from carom import Frame, Noise, Perception, Player, Shot
+from carom import Frame, Noise, Perception, Player, Shot, _core
 from carom.cli.options import (
     Cling,
     Json,
@@ -21,7 +20,7 @@ from carom.cli.options import (
     noise_of,
     title_of,
 )
-from carom.cli.output import emit, file_name, read
+from carom.cli.output import emit_answer, file_name, read
 from carom.errors import InputError
 from carom.lazy import LazyModule
 
@@ -100,10 +99,9 @@ def think(
     round; the result so far is printed.
     """
     frame = _frame(read(file), file_name(file), game)
-    usual = Player(player).noise if noise is None else named_noise(noise)
     thinker = Player(
         player,
-        noise=replace(usual, cling_probability=cling) if cling else usual,
+        noise=None if noise is None else named_noise(noise),
         perception=Perception(perception),
         simulations=simulations,
         time=time,
@@ -111,16 +109,17 @@ def think(
         seed=seed,
         threads=threads,
     )
+    own = replace(thinker.noise, cling_probability=cling) if cling else thinker.noise
     opponent = None if opponent_noise is None else _opponent(opponent_noise, cling)
     if frame.request.kind == "choice":
         _refuse_picture(svg, png)
-        decision = thinker.choose(frame, opponent_noise=opponent)
-        emit(js.dumps(decision.to_dict()) if json else str(decision))
+        decision = thinker.choose(frame, noise=own, opponent_noise=opponent)
+        emit_answer(decision, json=json)
         return
-    analysis = thinker.explain(frame, plays, opponent_noise=opponent)
+    analysis = thinker.explain(frame, plays, noise=own, opponent_noise=opponent)
     title = frame.game if file == "-" else title_of(file)
     # The answer first: it is not lost if the picture cannot be written.
-    emit(js.dumps(analysis.to_dict()) if json else str(analysis))
+    emit_answer(analysis, json=json)
     draw(lambda: plays_picture.draw(analysis, title=title), svg=svg, png=png)
 
 
@@ -133,21 +132,18 @@ def _opponent(name: str, cling: float) -> Noise:
 
 def _frame(text: str, name: str, game: str | None) -> Frame:
     """The frame of a record, or the frame of the game that begins with the balls of a shot file."""
-    try:
-        file = js.loads(text)
-    except (ValueError, RecursionError):
-        file = None
-    if isinstance(file, dict) and str(file.get("format", "")).startswith("carom-frame"):
+    file = _core.read_json(text, name)
+    kind = str(file.get("format", "carom-shot")) if isinstance(file, dict) else "carom-shot"
+    if kind.startswith("carom-frame"):
         if game is not None:
             raise InputError("--game: the record of a frame has its game; leave the option out")
         return Frame.replay(file)
-    if isinstance(file, dict) and not str(file.get("format", "")).startswith("carom-shot"):
+    if not kind.startswith("carom-shot"):
         raise InputError(
-            f"{name}: format: found {file.get('format')!r}; give a shot (carom-shot/1) or the "
+            f"{name}: format: found {file['format']!r}; give a shot (carom-shot/1) or the "
             "record of a frame (carom-frame/1)"
         )
-    # The error for any other text describes a shot file.
-    shot = Shot._read(text, name)
+    shot = Shot.from_dict(file)
     if game is None:
         raise InputError("--game: a shot file has no game; give one, such as --game eight-ball")
     return Frame.of_shot(game, shot)

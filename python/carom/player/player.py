@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, Self
 
 from carom import _core
@@ -172,16 +173,10 @@ class Player:
         self._core.stop()
 
     def _options(self, noise: Noise | None, opponent_noise: Noise | None) -> Thinking:
-        own = self._thinking
-        return Thinking(
-            noise=own.noise if noise is None else noise,
-            opponent_noise=opponent_noise,
-            perception=own.perception,
-            seed=own.seed,
-            simulations=own.simulations,
-            rounds=own.rounds,
-            time=own.time,
-        )
+        if noise is None and opponent_noise is None:
+            return self._thinking
+        noise = self.noise if noise is None else noise
+        return replace(self._thinking, noise=noise, opponent_noise=opponent_noise)
 
     @classmethod
     def _restored(cls, level: str, thinking: Thinking, threads: int | None) -> Self:
