@@ -60,8 +60,8 @@ from carom.player import (
     players,
 )
 from carom.racks import break_presets, break_shot
-from carom.reference import physics, schema, tables
-from carom.rules import Frame, Ruling, rule_sets
+from carom.reference import game_facts, physics, rule_sets, schema, tables
+from carom.rules import Frame, Ruling
 from carom.shot import Shot
 from carom.trace import Snapshot, Trace
 
@@ -122,6 +122,7 @@ __all__ = [
     "break_shot",
     "break_statistics",
     "evaluate",
+    "game_facts",
     "kick_table",
     "physics",
     "play_match",

@@ -35,7 +35,7 @@ __all__ = [
     "draw_strikes",
     "evaluate",
     "foul_words",
-    "games",
+    "game_facts",
     "kick_table",
     "meanings",
     "noise_moments",
@@ -58,7 +58,6 @@ __all__ = [
     "replay_match",
     "rolling_bands",
     "row_shot",
-    "rule_sets",
     "schema",
     "see",
     "simulate",
@@ -309,14 +308,13 @@ def break_shot(
     seed: int,
     gap: float | None,
 ) -> Shot: ...
-def games() -> list[str]: ...
+def game_facts() -> list[dict[str, Any]]: ...
 def rolling_bands(
     law: tuple[float, float], tolerance: tuple[float, float, float], gravity: float
 ) -> Any: ...
 def physics() -> list[dict[str, Any]]: ...
 def tables() -> list[dict[str, Any]]: ...
 def schema(kind: str) -> str: ...
-def rule_sets() -> list[str]: ...
 
 @final
 class Player:

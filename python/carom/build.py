@@ -163,8 +163,7 @@ class Layout:
         """The balls before the break, the cue ball first.
 
         Args:
-            game: ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``, ``snooker`` or
-                ``three-cushion``.
+            game: One of ``carom.rule_sets()``, such as ``nine-ball``.
             table: A preset's name; the game's own table if None.
             seed: Seed of the rack; the same seed gives the same rack on every platform.
             gap: Mean gap between the balls, m; 0 is frozen, None is the usual 0.1 mm.

@@ -21,8 +21,7 @@ def break_shot(
     """The opening shot of a game, from its rack.
 
     Args:
-        game: ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``, ``snooker`` or
-            ``three-cushion``.
+        game: One of ``carom.rule_sets()``, such as ``nine-ball``.
         table: A preset's name; the game's own table if None.
         speed: The cue's speed, m/s; the game's usual one if None.
         seed: Seed of the rack; the same seed gives the same rack on every platform.

@@ -20,6 +20,32 @@ def tables() -> list[dict[str, Any]]:
     return _core.tables()
 
 
+def game_facts() -> list[dict[str, Any]]:
+    """The facts of every game.
+
+    Each has ``name``; ``table``, on which it is played by default; ``players``, 1 or 2; ``balls``,
+    their number with the cue balls; ``own_cue_balls``, whether each player has one; ``objective``:
+    ``any-ball``, ``lowest-first``, ``groups``, ``reds-and-colors`` or ``caroms``;
+    ``deciding_ball``, the number of the ball that decides the game, or None; ``scoring``:
+    ``last-ball``, ``points`` (those at the end decide; ``maximum`` is the largest break without
+    fouls) or ``target`` (a number of points wins; ``usual_points``); ``opening``: ``break``,
+    ``safety`` or ``carom``; ``lag``, whether the players lag for the break; and ``miss``, whether a
+    foul may also be a miss.
+    """
+    return _core.game_facts()
+
+
+def rule_sets() -> list[str]:
+    """The names of the games, for ``Frame``, ``break_shot`` and ``carom.env``."""
+    return [facts["name"] for facts in game_facts()]
+
+
+def points_help() -> str:
+    """The games that a number of points wins, for a help text."""
+    names = [facts["name"] for facts in game_facts() if facts["scoring"] == "target"]
+    return f"Points that win {', '.join(names[:-1])} and {names[-1]}."
+
+
 def physics() -> list[dict[str, Any]]:
     """All presets of physics with their values, and the source of every value.
 

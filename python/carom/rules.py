@@ -75,12 +75,12 @@ class Frame:
         frame.request.kind, frame.request.player, ruling.legal
 
     Args:
-        game: ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``, ``snooker``,
-            ``three-cushion`` or ``practice``.
+        game: One of ``carom.rule_sets()``, such as ``eight-ball``.
         table: As in a shot; the game's own table if None.
         physics: As in a shot; the table's own if None.
         seed: Seed of the racks.
-        points: Points that win straight pool and three-cushion.
+        points: Points that win games whose ``scoring`` is ``target``
+            (``carom.game_facts()``), such as straight pool.
         miss: Whether a foul and a miss is called in snooker.
         patience: Number of shots in a row without progress that make a stalemate. It makes
             every frame end.
@@ -134,7 +134,8 @@ class Frame:
         Args:
             game: The game, as for a new frame.
             shot: Table, physics and balls.
-            points: Points that win straight pool and three-cushion.
+            points: Points that win games whose ``scoring`` is ``target``
+            (``carom.game_facts()``), such as straight pool.
             miss: Whether a foul and a miss is called in snooker.
             patience: Number of shots in a row without progress that make a stalemate.
 
@@ -616,8 +617,3 @@ def _options(points: int, miss: bool, patience: int) -> tuple[int, bool, int]:
 def _written(options: tuple[int, bool, int]) -> dict[str, int | bool]:
     """The options in the form of a record."""
     return dict(zip(("points", "miss", "patience"), options, strict=True))
-
-
-def rule_sets() -> list[str]:
-    """The names of the games that ``Frame`` can play."""
-    return _core.rule_sets()

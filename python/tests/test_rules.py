@@ -100,7 +100,7 @@ def test_a_move_that_is_not_allowed_is_refused_and_changes_nothing() -> None:
         frame.choose("rebreak")
     with pytest.raises(carom.InputError, match=r'choice: "again" is not a choice; write one of'):
         frame.choose("again")
-    with pytest.raises(carom.InputError, match="game: there are no rules called"):
+    with pytest.raises(carom.InputError, match='game: there is no game "pool"'):
         carom.Frame("pool")
     with pytest.raises(carom.InputError, match="table: eight-ball is played on a table with pock"):
         carom.Frame("eight-ball", table="carom-10ft")

@@ -27,7 +27,7 @@ use carom_arena::BuiltInPlayer;
 use carom_mind::value::{Logistic, Position, Value};
 use carom_mind::{Answer, Budget, Player, Situation};
 use carom_plan::{Prepared, Sampler};
-use carom_rules::{Call, Frame, Options, Play, Request, Rules, Seat};
+use carom_rules::{Call, Frame, Game, Options, Play, Request, Seat};
 use judge::judge;
 
 /// Drawn errors for the mean value after a play. Their cost is small beside a decision's.
@@ -47,7 +47,7 @@ const WIDE: f64 = 1.96;
 
 /// What is played.
 struct Terms {
-    rules: Rules,
+    game: Game,
     table: String,
     noise: Noise,
 }
@@ -69,7 +69,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         return Err("usage: adjusted_match PLAYER PLAYER GAME TABLE NOISE FIRST COUNT".into());
     };
     let noise = Noise::olympiad(multiple.parse()?);
-    let terms = Terms { rules: Rules::read(game)?, table: table.clone(), noise };
+    let terms = Terms { game: Game::read(game)?, table: table.clone(), noise };
     let (first, count): (u64, u64) = (first.parse()?, count.parse()?);
     let entries = [BuiltInPlayer::read(one)?, BuiltInPlayer::read(other)?];
     let mut players = [entries[0].make()?, entries[1].make()?];
@@ -129,7 +129,7 @@ struct AdjustedFrame<'a> {
 impl<'a> AdjustedFrame<'a> {
     fn new(terms: &'a Terms, rack: u64, breaker: usize) -> Result<Self, carom::Error> {
         let table = Some(Node::from(terms.table.as_str()));
-        let frame = Frame::new(terms.rules, Options::default(), table, None, rack)?;
+        let frame = Frame::new(terms.game, Options::default(), table, None, rack)?;
         let errors =
             Errors { noise: terms.noise.clone(), seed: rack ^ STREAM << 32, ..Errors::default() };
         let sampler = Sampler::new();

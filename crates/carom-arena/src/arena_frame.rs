@@ -14,7 +14,7 @@ use carom::noise::Perception;
 use carom::{Error, Noise};
 use carom_mind::{Answer, Decision, Situation};
 use carom_rules::{
-    Choice, ErrorDraw, Frame, FrameSimulator, Play, Request, Rules, Seat, execute, through_degrees,
+    Choice, ErrorDraw, Frame, FrameSimulator, Play, Request, Seat, execute, through_degrees,
 };
 
 use crate::clock::{Clock, ClockPeriod, ClockUnit, Cost};
@@ -468,7 +468,7 @@ impl ArenaFrame {
         self.frame.turn()?;
         // In straight pool fourteen balls are racked in the middle of a frame, and in three-cushion
         // the last inning has a starting shot of its own.
-        let repeats = !matches!(self.frame.rules(), Rules::StraightPool | Rules::ThreeCushion);
+        let repeats = !self.frame.facts().has_target();
         (self.frame.shots() == 0 || (repeats && self.racked)).then_some(play)
     }
 

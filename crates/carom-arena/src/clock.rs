@@ -2,9 +2,8 @@
 
 use carom::Error;
 use carom_mind::Spent;
-use carom_rules::games::GameState;
 use carom_rules::games::eight_ball::Group;
-use carom_rules::{Frame, Rules, Seat};
+use carom_rules::{Frame, Objective, Seat};
 
 /// Thinking time of a frame and side, s: the ten minutes of the Computational Olympiad (Archibald,
 /// Altman & Shoham 2009).
@@ -129,23 +128,24 @@ pub fn expected_shots(frame: &Frame, seat: Seat) -> f64 {
     let layout = frame.layout();
     let left = layout.on_table().count().saturating_sub(1) as f64;
     let missing = || f64::from((frame.options().points - frame.scores()[seat]).max(1));
-    match (frame.rules(), frame.game_state()) {
-        (Rules::EightBall, GameState::EightBall(game)) => match game.group(seat) {
+    let facts = frame.facts();
+    match facts.objective {
+        Objective::Caroms => SHOTS_PER_CAROM * missing(),
+        _ if facts.has_target() => missing(),
+        _ if facts.players == 1 => left,
+        Objective::AnyBall | Objective::LowestFirst => SHOTS_PER_SHARED_BALL * left,
+        Objective::Groups => match frame.group(seat) {
             None => 1.0 + SHOTS_PER_SHARED_BALL * (left - 1.0).max(0.0),
             Some(group) => {
                 let own = layout.on_table().filter(|ball| Group::of(*ball) == Some(group));
                 1.0 + own.count() as f64
             }
         },
-        (Rules::StraightPool, _) => missing(),
-        (Rules::ThreeCushion, _) => SHOTS_PER_CAROM * missing(),
-        (Rules::Practice, _) => left,
-        // A colour follows every red in snooker.
-        (Rules::Snooker, _) => {
+        // A colour follows every red.
+        Objective::RedsAndColors => {
             let reds = (left - 6.0).max(0.0);
             SHOTS_PER_SHARED_BALL * (left + reds)
         }
-        _ => SHOTS_PER_SHARED_BALL * left,
     }
     .max(1.0)
 }
@@ -154,30 +154,30 @@ pub fn expected_shots(frame: &Frame, seat: Seat) -> f64 {
 mod tests {
     use super::{Clock, Cost, expected_shots};
     use carom_mind::Spent;
-    use carom_rules::{Frame, Options, Rules};
+    use carom_rules::{Frame, Game, Options};
 
-    fn frame(rules: Rules) -> Frame {
-        Frame::new(rules, Options::default(), None, None, 0).unwrap()
+    fn frame(game: Game) -> Frame {
+        Frame::new(game, Options::default(), None, None, 0).unwrap()
     }
 
     #[test]
     fn expected_shots_follow_from_the_balls_and_the_missing_points() {
-        for (rules, shots) in [
-            (Rules::NineBall, 4.5),
-            (Rules::TenBall, 5.0),
-            (Rules::EightBall, 8.0),
-            (Rules::Snooker, 18.0),
-            (Rules::StraightPool, 40.0),
-            (Rules::ThreeCushion, 80.0),
-            (Rules::Practice, 15.0),
+        for (game, shots) in [
+            (Game::NineBall, 4.5),
+            (Game::TenBall, 5.0),
+            (Game::EightBall, 8.0),
+            (Game::Snooker, 18.0),
+            (Game::StraightPool, 40.0),
+            (Game::ThreeCushion, 80.0),
+            (Game::Practice, 15.0),
         ] {
-            assert_eq!(expected_shots(&frame(rules), 0), shots, "{}", rules.name());
+            assert_eq!(expected_shots(&frame(game), 0), shots, "{}", game.name());
         }
     }
 
     #[test]
     fn a_clock_for_a_frame_is_divided_among_the_expected_shots() {
-        let frame = frame(Rules::NineBall);
+        let frame = frame(Game::NineBall);
         let clock = Clock::seconds(600.0).per_frame();
         assert_eq!(clock.budget(600.0, &frame, 0), 600.0 / (1.5 * 4.5 + 3.0));
         assert_eq!(clock.budget(-1.0, &frame, 0), 0.0);

@@ -17,13 +17,13 @@
 //! use carom::{Error, Noise};
 //! use carom_arena::{ArenaFrame, Clock, Match, MatchSettings, NextStep, PlayerEntry, Secret};
 //! use carom_mind::{Answer, Decision, Spent};
-//! use carom_rules::{FrameSimulator, Rules};
+//! use carom_rules::{FrameSimulator, Game};
 //!
 //! # fn main() -> Result<(), Error> {
 //! let settings = MatchSettings {
 //!     noise: [Noise::olympiad(1.0), Noise::olympiad(1.0)],
 //!     clock: [Clock::simulations(2000); 2],
-//!     ..MatchSettings::new(Rules::NineBall)
+//!     ..MatchSettings::new(Game::NineBall)
 //! };
 //! let players = [PlayerEntry::new("one"), PlayerEntry::new("other")];
 //! let of = Arc::new(Match::new(settings, players)?);

@@ -4,7 +4,7 @@ use carom::format::Node;
 use carom::noise::Perception;
 use carom::shot::DEFAULT_MAX_EVENTS;
 use carom::{Error, Noise};
-use carom_rules::{Frame, Options, Play, Rules, recorded_setup};
+use carom_rules::{Frame, Game, Options, Play, recorded_setup};
 
 use crate::clock::Clock;
 use crate::secret::PairSeeds;
@@ -59,7 +59,7 @@ pub enum Disclosure {
 #[derive(Clone, Debug, PartialEq)]
 pub struct MatchSettings {
     /// The game.
-    pub rules: Rules,
+    pub game: Game,
     /// The options of the game.
     pub options: Options,
     /// The table, as the key `table` of a shot file; `None` for the game's own.
@@ -88,9 +88,9 @@ pub struct MatchSettings {
 impl MatchSettings {
     /// A match of `rules` on the game's own table: no errors, ten minutes a frame and side, players
     /// who break in turn.
-    pub fn new(rules: Rules) -> Self {
+    pub fn new(game: Game) -> Self {
         Self {
-            rules,
+            game,
             options: Options::default(),
             table: None,
             physics: None,
@@ -121,8 +121,8 @@ impl Match {
     /// [`Error::Input`] with the key of an invalid setting, such as `noise[1].speed`, for a player
     /// without a name, and for a same break that the game does not accept.
     pub fn new(settings: MatchSettings, players: [PlayerEntry; 2]) -> Result<Self, Error> {
-        let MatchSettings { rules, options, table, physics, .. } = settings.clone();
-        let start = Frame::new(rules, options, table, physics, 0)?;
+        let MatchSettings { game, options, table, physics, .. } = settings.clone();
+        let start = Frame::new(game, options, table, physics, 0)?;
         let start = start.with_max_events(settings.max_events);
         check(&settings)?;
         for (i, player) in players.iter().enumerate() {
@@ -159,8 +159,8 @@ impl Match {
 
     /// `table` and `physics` as a record has them, with the dated names of presets.
     pub fn recorded_setup(&self) -> Node {
-        let MatchSettings { rules, table, physics, .. } = &self.settings;
-        recorded_setup(*rules, table.clone(), physics.clone())
+        let MatchSettings { game, table, physics, .. } = &self.settings;
+        recorded_setup(*game, table.clone(), physics.clone())
     }
 
     /// The player at each seat in frame number `frame`. Frames 2k and 2k + 1 are pair k.
@@ -222,7 +222,7 @@ mod tests {
 
     #[test]
     fn rejects_invalid_settings_at_their_keys() {
-        let good = MatchSettings::new(Rules::NineBall);
+        let good = MatchSettings::new(Game::NineBall);
         let strike = Strike { speed: 5.0, azimuth: 1.57, elevation: 0.05, side: 0.9, height: 0.0 };
         let breaking = Play::new(strike).from([0.635, 0.5]);
         let noise = [Noise::NONE, Noise { speed: -1.0, ..Noise::NONE }];
@@ -246,7 +246,7 @@ mod tests {
     fn rejects_players_without_a_name() {
         for name in ["", "a\nb", &"x".repeat(81)] {
             let players = [PlayerEntry::new("a"), PlayerEntry::new(name)];
-            let error = Match::new(MatchSettings::new(Rules::NineBall), players).unwrap_err();
+            let error = Match::new(MatchSettings::new(Game::NineBall), players).unwrap_err();
             assert!(error.to_string().starts_with("players[1].name: "), "{error}");
         }
     }
@@ -254,12 +254,11 @@ mod tests {
     #[test]
     fn the_players_exchange_the_seats_or_the_streams() {
         let seeds = PairSeeds { rack: 1, errors: [2, 3], sight: [4, 5], decisions: [6, 7] };
-        let alternate = made(MatchSettings::new(Rules::NineBall)).unwrap();
+        let alternate = made(MatchSettings::new(Game::NineBall)).unwrap();
         assert_eq!([alternate.seats(4), alternate.seats(5)], [[0, 1], [1, 0]]);
         assert_eq!([alternate.seeds(4, seeds), alternate.seeds(5, seeds)], [seeds; 2]);
         let breaker = Breaker::Always(1);
-        let always =
-            made(MatchSettings { breaker, ..MatchSettings::new(Rules::NineBall) }).unwrap();
+        let always = made(MatchSettings { breaker, ..MatchSettings::new(Game::NineBall) }).unwrap();
         assert_eq!([always.seats(4), always.seats(5)], [[1, 0], [1, 0]]);
         let exchanged = PairSeeds { errors: [3, 2], sight: [5, 4], decisions: [7, 6], ..seeds };
         assert_eq!([always.seeds(4, seeds), always.seeds(5, seeds)], [seeds, exchanged]);

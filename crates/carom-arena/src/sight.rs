@@ -40,10 +40,10 @@ pub(crate) fn perceive(
 mod tests {
     use super::perceive;
     use carom::noise::Perception;
-    use carom_rules::{ErrorDraw, Frame, Options, Rules};
+    use carom_rules::{ErrorDraw, Frame, Game, Options};
 
     fn frame() -> Frame {
-        Frame::new(Rules::NineBall, Options::default(), None, None, 3).unwrap()
+        Frame::new(Game::NineBall, Options::default(), None, None, 3).unwrap()
     }
 
     #[test]

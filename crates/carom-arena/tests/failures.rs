@@ -11,7 +11,7 @@ use carom_arena::{
 use carom_mind::{Answer, Decision, Player, Spent};
 use carom_plan::Progress;
 use carom_rules::FrameSimulator;
-use carom_rules::{Choice, Options, Play, Rules};
+use carom_rules::{Choice, Game, Options, Play};
 use common::{Failing, Folder, RandomPlayer, Repeater, SECRET, made, plan, played, runner, short};
 
 fn repeater(answer: Answer, simulations: u64) -> Box<dyn Player> {
@@ -26,7 +26,7 @@ fn nowhere() -> Answer {
 
 #[test]
 fn a_player_who_concedes_loses_the_frame() {
-    let of = made(short(Rules::NineBall));
+    let of = made(short(Game::NineBall));
     let frame = played(&of, 0, [repeater(Answer::Concede, 0), Box::new(RandomPlayer)]);
     let end = frame.end().unwrap();
     assert_eq!((end.reason, end.winner), (EndReason::Conceded, Some(1)));
@@ -35,7 +35,7 @@ fn a_player_who_concedes_loses_the_frame() {
 
 #[test]
 fn the_eleventh_refused_answer_loses_the_frame() {
-    let of = made(short(Rules::NineBall));
+    let of = made(short(Game::NineBall));
     for answer in [
         Answer::Choice(Choice::PassBack),
         Answer::Play(Play::new(Strike {
@@ -59,7 +59,7 @@ fn the_eleventh_refused_answer_loses_the_frame() {
 
 #[test]
 fn ten_refused_answers_lose_nothing_and_are_explained() {
-    let of = made(short(Rules::NineBall));
+    let of = made(short(Game::NineBall));
     let mut simulator = FrameSimulator::new();
     let mut frame = ArenaFrame::begin(of.clone(), 0, SECRET.pair_seeds(0), &mut simulator).unwrap();
     let fault = InputError { place: "line".into(), what: "not JSON".into(), remedy: "mend".into() };
@@ -84,7 +84,7 @@ fn ten_refused_answers_lose_nothing_and_are_explained() {
 #[test]
 fn a_player_whose_simulations_are_used_up_loses_the_frame() {
     let clock = [Clock::simulations(1000).per_frame(); 2];
-    let of = made(MatchSettings { clock, ..short(Rules::NineBall) });
+    let of = made(MatchSettings { clock, ..short(Game::NineBall) });
     let frame = played(&of, 0, [repeater(nowhere(), 1001), Box::new(RandomPlayer)]);
     let end = frame.end().unwrap();
     assert_eq!((end.reason, end.winner), (EndReason::TimeOver, Some(1)));
@@ -98,7 +98,7 @@ fn a_player_whose_simulations_are_used_up_loses_the_frame() {
 #[test]
 fn a_player_whose_seconds_are_used_up_loses_the_frame() {
     let clock = [Clock::seconds(60.0).per_frame(); 2];
-    let of = made(MatchSettings { clock, ..short(Rules::NineBall) });
+    let of = made(MatchSettings { clock, ..short(Game::NineBall) });
     let mut simulator = FrameSimulator::new();
     let mut frame = ArenaFrame::begin(of.clone(), 0, SECRET.pair_seeds(0), &mut simulator).unwrap();
     let NextStep::Ask(ask) = frame.next() else { panic!("a break") };
@@ -139,7 +139,7 @@ impl Player for Ponderer {
 #[test]
 fn a_clock_of_seconds_ends_the_search_and_the_record_replays() {
     let clock = [Clock::seconds(0.01); 2];
-    let plan = plan(MatchSettings { clock, ..short(Rules::NineBall) }, 1);
+    let plan = plan(MatchSettings { clock, ..short(Game::NineBall) }, 1);
     let folder = Folder::new("seconds");
     let progress = Progress::default();
     let players = |_| Ok(Box::new(Ponderer) as Box<dyn Player>);
@@ -152,7 +152,7 @@ fn a_clock_of_seconds_ends_the_search_and_the_record_replays() {
 
 #[test]
 fn a_player_that_fails_loses_the_frame_with_its_error_as_the_reason() {
-    let of = made(short(Rules::EightBall));
+    let of = made(short(Game::EightBall));
     // Player 1 has seat 0 in the second frame.
     for (number, winner) in [(0, 1), (1, 0)] {
         let frame = played(&of, number, [Box::new(Failing(0)), Box::new(RandomPlayer)]);
@@ -165,7 +165,7 @@ fn a_player_that_fails_loses_the_frame_with_its_error_as_the_reason() {
 
 #[test]
 fn failures_of_programs_have_reasons_of_their_own() {
-    let of = made(short(Rules::NineBall));
+    let of = made(short(Game::NineBall));
     let mut simulator = FrameSimulator::new();
     for reason in EndReason::ALL {
         let mut frame =
@@ -190,7 +190,7 @@ fn failures_of_programs_have_reasons_of_their_own() {
 
 #[test]
 fn a_frame_whose_shot_reaches_the_cap_of_events_does_not_count() {
-    let settings = MatchSettings { max_events: 20, ..short(Rules::NineBall) };
+    let settings = MatchSettings { max_events: 20, ..short(Game::NineBall) };
     let folder = Folder::new("event-cap");
     let plan = plan(settings, 2);
     let progress = Progress::default();
@@ -206,7 +206,7 @@ fn a_frame_whose_shot_reaches_the_cap_of_events_does_not_count() {
 #[test]
 fn two_stalemates_give_half_a_point_each() {
     let options = Options { patience: 3, ..Options::default() };
-    let of = made(MatchSettings { options, ..short(Rules::EightBall) });
+    let of = made(MatchSettings { options, ..short(Game::EightBall) });
     let frame = played(&of, 0, [Box::new(Idler), Box::new(Idler)]);
     let end = frame.end().unwrap();
     assert_eq!((end.reason, end.winner), (EndReason::Drawn, None));
@@ -253,7 +253,7 @@ fn a_frame_with_every_kind_of_failure_replays() {
         ("late", nowhere(), 100_000),
     ] {
         let clock = [Clock::simulations(1000).per_frame(); 2];
-        let plan = plan(MatchSettings { clock, ..short(Rules::NineBall) }, 1);
+        let plan = plan(MatchSettings { clock, ..short(Game::NineBall) }, 1);
         let folder = Folder::new(name);
         let progress = Progress::default();
         let players = |player| -> Result<Box<dyn Player>, carom::Error> {
@@ -264,7 +264,7 @@ fn a_frame_with_every_kind_of_failure_replays() {
         let text = folder.read(carom_arena::RECORD);
         assert_eq!(replay(&text, &runner(1), &progress).unwrap().difference, None, "{name}");
     }
-    let plan = plan(short(Rules::NineBall), 1);
+    let plan = plan(short(Game::NineBall), 1);
     let folder = Folder::new("crash");
     let progress = Progress::default();
     let players = |player| -> Result<Box<dyn Player>, carom::Error> {

@@ -15,7 +15,7 @@ use carom_arena::{
 };
 use carom_mind::{Answer, Decision, Player, Spent};
 use carom_plan::Progress;
-use carom_rules::{Call, Play, Rules};
+use carom_rules::{Call, Game, Play};
 use common::{
     Folder, RandomPlayer, Repeater, SECRET, lines, made, plan, played, random_players, runner,
     short,
@@ -45,16 +45,16 @@ fn record(plan: &MatchPlan, threads: usize, name: &str) -> String {
 
 #[test]
 fn equal_players_play_mirror_images_in_every_game() {
-    for rules in Rules::ALL {
-        let of = made(short(rules));
+    for game in Game::ALL {
+        let of = made(short(game));
         for pair in 0..2 {
             let [one, other] = [0, 1].map(|second| played(&of, 2 * pair + second, two_random()));
             assert_eq!((one.players(), other.players()), ([0, 1], [1, 0]));
             assert!(!one.moves().is_empty());
-            assert_eq!(one.moves(), other.moves(), "{}", rules.name());
+            assert_eq!(one.moves(), other.moves(), "{}", game.name());
             assert_eq!(one.end(), other.end());
             let points = [one.points(), other.points()].map(Option::unwrap);
-            assert_eq!(points[0] + points[1], 1.0, "{}", rules.name());
+            assert_eq!(points[0] + points[1], 1.0, "{}", game.name());
         }
         let [first, second] = [0, 2].map(|number| played(&of, number, two_random()));
         assert_ne!(first.moves(), second.moves(), "another pair has another rack");
@@ -63,7 +63,7 @@ fn equal_players_play_mirror_images_in_every_game() {
 
 #[test]
 fn streams_of_errors_are_exchanged_if_one_player_always_breaks() {
-    let settings = MatchSettings { breaker: Breaker::Always(1), ..short(Rules::NineBall) };
+    let settings = MatchSettings { breaker: Breaker::Always(1), ..short(Game::NineBall) };
     let of = made(settings);
     let [one, other] = [0, 1].map(|number| played(&of, number, two_random()));
     assert_eq!((one.players(), other.players()), ([1, 0], [1, 0]));
@@ -75,8 +75,8 @@ fn streams_of_errors_are_exchanged_if_one_player_always_breaks() {
 
 #[test]
 fn the_number_of_threads_changes_nothing() {
-    for rules in [Rules::NineBall, Rules::ThreeCushion] {
-        let plan = plan(short(rules), 5);
+    for game in [Game::NineBall, Game::ThreeCushion] {
+        let plan = plan(short(game), 5);
         let alone = record(&plan, 1, "threads-1");
         assert_eq!(alone, record(&plan, 3, "threads-3"));
         assert_eq!(alone.lines().count(), 12, "a header, ten frames and the secret");
@@ -85,7 +85,7 @@ fn the_number_of_threads_changes_nothing() {
 
 #[test]
 fn a_match_that_was_interrupted_ends_with_the_same_bytes() {
-    let plan = plan(short(Rules::EightBall), 4);
+    let plan = plan(short(Game::EightBall), 4);
     let whole = record(&plan, 1, "whole");
     let folder = Folder::new("interrupted");
     let mut interruptions = 0;
@@ -113,7 +113,7 @@ fn a_match_that_was_interrupted_ends_with_the_same_bytes() {
 
 #[test]
 fn a_match_on_three_threads_that_was_interrupted_ends_with_the_same_bytes() {
-    let plan = plan(short(Rules::TenBall), 8);
+    let plan = plan(short(Game::TenBall), 8);
     let whole = record(&plan, 1, "whole-threads");
     let folder = Folder::new("interrupted-threads");
     let mut runs = 0;
@@ -152,7 +152,7 @@ fn tear(folder: &Folder, interruption: u64) {
 
 #[test]
 fn a_finished_match_is_not_played_again() {
-    let plan = plan(short(Rules::NineBall), 2);
+    let plan = plan(short(Game::NineBall), 2);
     let folder = Folder::new("finished");
     let progress = Progress::default();
     let first = play_match(&plan, folder.path(), &random_players, &runner(1), &progress).unwrap();
@@ -167,13 +167,13 @@ fn a_folder_with_another_match_is_refused() {
     let progress = Progress::default();
     let play =
         |plan: &MatchPlan| play_match(plan, folder.path(), &random_players, &runner(1), &progress);
-    play(&plan(short(Rules::NineBall), 1)).unwrap();
+    play(&plan(short(Game::NineBall), 1)).unwrap();
     for other in [
-        plan(short(Rules::NineBall), 2),
-        plan(short(Rules::TenBall), 1),
+        plan(short(Game::NineBall), 2),
+        plan(short(Game::TenBall), 1),
         MatchPlan {
             secret: Some(carom_arena::Secret::new([1; 32])),
-            ..plan(short(Rules::NineBall), 1)
+            ..plan(short(Game::NineBall), 1)
         },
     ] {
         let error = play(&other).unwrap_err().to_string();
@@ -183,7 +183,7 @@ fn a_folder_with_another_match_is_refused() {
 
 #[test]
 fn a_match_is_not_played_by_two_programs_at_once() {
-    let plan = plan(short(Rules::NineBall), 1);
+    let plan = plan(short(Game::NineBall), 1);
     let folder = Folder::new("locked");
     let progress = Progress::default();
     let make_player = |player| {
@@ -201,7 +201,7 @@ fn a_match_is_not_played_by_two_programs_at_once() {
 /// at once, the second replaced the file that the first had locked.
 #[test]
 fn of_two_programs_that_begin_a_match_at_once_the_second_changes_nothing() {
-    let plan = plan(short(Rules::NineBall), 1);
+    let plan = plan(short(Game::NineBall), 1);
     let folder = Folder::new("at-once");
     fs::create_dir_all(folder.path()).unwrap();
     let path = folder.path().join("played.jsonl");
@@ -220,7 +220,7 @@ fn of_two_programs_that_begin_a_match_at_once_the_second_changes_nothing() {
 #[cfg(feature = "os-secret")]
 #[test]
 fn a_secret_of_the_operating_system_is_kept_for_the_continuation() {
-    let plan = MatchPlan { secret: None, ..plan(short(Rules::NineBall), 2) };
+    let plan = MatchPlan { secret: None, ..plan(short(Game::NineBall), 2) };
     let folder = Folder::new("os-secret");
     let (progress, made) = (Progress::default(), AtomicU64::new(0));
     let make_player = |player| {
@@ -250,7 +250,7 @@ fn a_sequential_test_ends_the_match_at_the_same_pair_for_any_number_of_threads()
         })
     };
     let test = SequentialTest::of_shares(0.5, 0.9).unwrap();
-    let plan = MatchPlan { test: Some(test), ..plan(short(Rules::NineBall), 60) };
+    let plan = MatchPlan { test: Some(test), ..plan(short(Game::NineBall), 60) };
     let ends = [1, 3].map(|threads| {
         let folder = Folder::new(&format!("sequential-{threads}"));
         let progress = Progress::default();
@@ -267,7 +267,7 @@ fn a_sequential_test_ends_the_match_at_the_same_pair_for_any_number_of_threads()
 #[test]
 fn a_match_without_pairs_is_refused() {
     let folder = Folder::new("no-pairs");
-    let plan = plan(short(Rules::NineBall), 0);
+    let plan = plan(short(Game::NineBall), 0);
     let progress = Progress::default();
     let error = play_match(&plan, folder.path(), &random_players, &runner(1), &progress);
     assert!(error.unwrap_err().to_string().starts_with("pairs: 0 is out of range"));
@@ -278,7 +278,7 @@ fn a_match_without_pairs_is_refused() {
 fn the_same_break_is_played_for_both_players() {
     let strike = Strike { speed: 8.0, azimuth: 1.57, elevation: 0.05, side: 0.0, height: 0.1 };
     let breaks = Play::new(strike).from([0.635, 0.6]);
-    let settings = MatchSettings { same_break: Some(breaks), ..short(Rules::NineBall) };
+    let settings = MatchSettings { same_break: Some(breaks), ..short(Game::NineBall) };
     let of = made(settings);
     for number in 0..2 {
         let frame = played(&of, number, two_random());
@@ -295,7 +295,7 @@ fn the_same_break_is_played_for_both_players() {
 fn the_same_break_is_repeated_after_another_rack() {
     let strike = Strike { speed: 1.0, azimuth: 1.57, elevation: 0.05, side: 0.0, height: 0.0 };
     let soft = Play::new(strike).from([0.635, 0.6]);
-    let settings = MatchSettings { same_break: Some(soft), ..short(Rules::EightBall) };
+    let settings = MatchSettings { same_break: Some(soft), ..short(Game::EightBall) };
     let of = made(settings);
     let mut simulator = carom_rules::FrameSimulator::new();
     let seeds = SECRET.pair_seeds(0);
@@ -322,7 +322,7 @@ fn players_are_told_the_errors_that_the_settings_disclose() {
             noise: noise.clone(),
             perception: perception.clone(),
             disclosure,
-            ..short(Rules::NineBall)
+            ..short(Game::NineBall)
         };
         let of = made(settings);
         let mut simulator = carom_rules::FrameSimulator::new();
@@ -343,7 +343,7 @@ fn players_with_errors_of_perception_play_whole_frames_that_replay() {
     let perception = [Perception::round(0.003), Perception::default()];
     let noise = Noise { cling_probability: 0.2, ..Noise::olympiad(1.0) };
     let settings =
-        MatchSettings { perception, noise: [noise.clone(), noise], ..short(Rules::NineBall) };
+        MatchSettings { perception, noise: [noise.clone(), noise], ..short(Game::NineBall) };
     let plan = plan(settings, 2);
     let text = record(&plan, 2, "perception");
     let replayed = replay(&text, &runner(2), &Progress::default()).unwrap();
@@ -354,7 +354,7 @@ fn players_with_errors_of_perception_play_whole_frames_that_replay() {
 #[test]
 fn a_cue_ball_is_moved_if_an_unseen_ball_is_in_the_way() {
     let perception = [const { Perception::round(0.005) }; 2];
-    let settings = MatchSettings { perception, noise: [Noise::NONE; 2], ..short(Rules::NineBall) };
+    let settings = MatchSettings { perception, noise: [Noise::NONE; 2], ..short(Game::NineBall) };
     let of = made(settings);
     let mut simulator = carom_rules::FrameSimulator::new();
     let (mut moved, mut kept) = (0, 0);
@@ -393,7 +393,7 @@ fn a_cue_ball_is_moved_if_an_unseen_ball_is_in_the_way() {
 
 #[test]
 fn a_frame_that_is_over_takes_no_answer() {
-    let of = made(short(Rules::NineBall));
+    let of = made(short(Game::NineBall));
     let mut frame = played(&of, 0, two_random());
     let mut simulator = carom_rules::FrameSimulator::new();
     let decision = decided(Answer::Concede);
@@ -407,7 +407,7 @@ fn a_frame_that_is_over_takes_no_answer() {
 
 #[test]
 fn a_call_of_a_ball_that_does_not_exist_is_refused_and_recorded() {
-    let of = made(short(Rules::Snooker));
+    let of = made(short(Game::Snooker));
     let mut simulator = carom_rules::FrameSimulator::new();
     let mut frame = ArenaFrame::begin(of.clone(), 0, SECRET.pair_seeds(0), &mut simulator).unwrap();
     let strike = Strike { speed: f64::NAN, azimuth: 0.0, elevation: 0.0, side: 0.0, height: 0.0 };
@@ -422,11 +422,11 @@ fn a_call_of_a_ball_that_does_not_exist_is_refused_and_recorded() {
 
 #[test]
 fn a_plain_frame_repeats_the_executed_shots() {
-    let of = made(short(Rules::EightBall));
+    let of = made(short(Game::EightBall));
     let arena_frame = played(&of, 0, two_random());
     let seed = arena_frame.seeds().rack;
     let mut frame =
-        carom_rules::Frame::new(Rules::EightBall, of.settings().options, None, None, seed).unwrap();
+        carom_rules::Frame::new(Game::EightBall, of.settings().options, None, None, seed).unwrap();
     let mut shots = 0;
     for made in arena_frame.moves() {
         match (&made.answer, &made.effect) {
@@ -448,7 +448,7 @@ fn a_plain_frame_repeats_the_executed_shots() {
 
 #[test]
 fn a_header_has_every_setting_with_dated_names() {
-    let text = record(&plan(short(Rules::ThreeCushion), 1), 1, "header");
+    let text = record(&plan(short(Game::ThreeCushion), 1), 1, "header");
     let header = &lines(&text)[0];
     assert_eq!(header.get("game"), Some(&Node::from("three-cushion")));
     assert_eq!(header.get("secret_sha256"), Some(&Node::from(SECRET.sha256())));

@@ -9,7 +9,7 @@ use carom_arena::{
     play_match, positions, replay,
 };
 use carom_plan::Progress;
-use carom_rules::{Call, Play, Rules};
+use carom_rules::{Call, Game, Play};
 use common::{Folder, lines, plan, random_players, runner, short};
 
 fn record(plan: &MatchPlan, name: &str) -> String {
@@ -25,10 +25,10 @@ fn replayed(text: &str) -> Result<Replay, carom::Error> {
 
 #[test]
 fn records_of_all_games_replay_to_the_bit() {
-    for rules in Rules::ALL {
-        let text = record(&plan(short(rules), 1), rules.name());
+    for game in Game::ALL {
+        let text = record(&plan(short(game), 1), game.name());
         let replayed = replayed(&text).unwrap();
-        assert_eq!(replayed.difference, None, "{}", rules.name());
+        assert_eq!(replayed.difference, None, "{}", game.name());
         assert_eq!((replayed.frames, replayed.is_of_another_engine()), (2, false));
         assert_eq!(replayed.score.pairs.counts, [0, 0, 1, 0, 0], "mirror images");
     }
@@ -36,7 +36,7 @@ fn records_of_all_games_replay_to_the_bit() {
 
 #[test]
 fn the_positions_of_a_record_are_the_requests_to_which_its_moves_answer() {
-    let text = record(&plan(short(Rules::NineBall), 2), "positions");
+    let text = record(&plan(short(Game::NineBall), 2), "positions");
     let frames = positions(&text, &runner(2), |ask| (ask.seat, ask.situation.frame.player()));
     let frames = frames.unwrap();
     assert_eq!(frames.len(), 4);
@@ -60,7 +60,7 @@ fn records_with_given_breaks_and_errors_of_perception_replay() {
             same_break,
             perception: perception.clone(),
             breaker,
-            ..short(Rules::EightBall)
+            ..short(Game::EightBall)
         };
         let text = record(&plan(settings, 2), &format!("given-{breaker:?}"));
         assert_eq!(text.matches("\"given\": true").count(), 4, "{breaker:?}");
@@ -86,7 +86,7 @@ fn with_changed_digit(text: &str, line: usize, key: &str) -> String {
 
 #[test]
 fn a_replay_finds_a_changed_digit() {
-    let text = record(&plan(short(Rules::NineBall), 1), "digits");
+    let text = record(&plan(short(Game::NineBall), 1), "digits");
     assert_eq!(replayed(&text).unwrap().difference, None);
     for (line, key, place) in [
         // The azimuth of the intended strike changes the one that is executed.
@@ -111,7 +111,7 @@ fn a_replay_finds_a_changed_digit() {
 
 #[test]
 fn a_replay_finds_an_executed_strike_that_differs_by_one_bit() {
-    let text = record(&plan(short(Rules::NineBall), 1), "bits");
+    let text = record(&plan(short(Game::NineBall), 1), "bits");
     let executed = text.find("\"executed\"").unwrap();
     let start = executed + text[executed..].find("\"side\": ").unwrap() + 8;
     let end = start + text[start..].find(',').unwrap();
@@ -124,7 +124,7 @@ fn a_replay_finds_an_executed_strike_that_differs_by_one_bit() {
 
 #[test]
 fn a_replay_finds_moves_that_were_removed_or_added() {
-    let text = record(&plan(short(Rules::NineBall), 1), "moves");
+    let text = record(&plan(short(Game::NineBall), 1), "moves");
     let all: Vec<&str> = text.lines().collect();
     let start = all[1].find("{\"seat\"").unwrap();
     let next = start + 1 + all[1][start + 1..].find("{\"seat\"").unwrap();
@@ -140,7 +140,7 @@ fn a_replay_finds_moves_that_were_removed_or_added() {
 
 #[test]
 fn a_damaged_record_is_refused_with_its_line_and_key() {
-    let text = record(&plan(short(Rules::NineBall), 1), "damaged");
+    let text = record(&plan(short(Game::NineBall), 1), "damaged");
     let all: Vec<&str> = text.lines().collect();
     let replaced = |line: usize, from: &str, to: &str| {
         let mut all: Vec<String> = all.iter().map(|&line| line.to_owned()).collect();
@@ -182,7 +182,7 @@ fn a_damaged_record_is_refused_with_its_line_and_key() {
 
 #[test]
 fn a_stopped_replay_is_an_error() {
-    let text = record(&plan(short(Rules::NineBall), 1), "stopped");
+    let text = record(&plan(short(Game::NineBall), 1), "stopped");
     let progress = Progress::default();
     progress.stop();
     let error = replay(&text, &runner(1), &progress).unwrap_err().to_string();
@@ -196,7 +196,7 @@ fn a_header_reads_back_to_the_same_settings() {
     let settings = MatchSettings {
         same_break: Some(safety),
         physics: Some("pool-worn-cloth".into()),
-        ..short(Rules::StraightPool)
+        ..short(Game::StraightPool)
     };
     let test = SequentialTest::of_elo(0.0, 20.0).unwrap();
     let plan = MatchPlan { test: Some(test), ..plan(settings, 50) };

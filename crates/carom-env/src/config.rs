@@ -1,7 +1,7 @@
 //! The settings of an environment.
 
 use carom::{Error, Noise};
-use carom_rules::{Options, Rules};
+use carom_rules::{GameFacts, Options, Scoring};
 
 use crate::modes::{AgentSeat, Aim, Autoreset, Opponent, Outside, TargetBall};
 use crate::setup::{Setup, Variable};
@@ -30,15 +30,20 @@ pub struct Rewards {
 
 impl Rewards {
     /// The default rewards of a task.
-    pub const fn of(task: Task) -> Self {
+    pub fn of(task: Task) -> Self {
         let none = Self { win: 0.0, pot: 0.0, foul: 0.0, point: 0.0, failure: -1.0 };
         match task {
             Task::Potting => Self { pot: 1.0, ..none },
-            Task::Game(Rules::Snooker | Rules::StraightPool) => {
-                Self { win: 1.0, point: 0.01, ..none }
-            }
-            Task::Game(Rules::ThreeCushion) | Task::SumToThree => Self { point: 1.0, ..none },
-            Task::Game(_) => Self { win: 1.0, pot: 0.1, foul: -0.1, ..none },
+            Task::SumToThree => Self { point: 1.0, ..none },
+            Task::Game(game) => match GameFacts::of(game) {
+                facts if facts.is_carom() => Self { point: 1.0, ..none },
+                GameFacts { scoring: Scoring::LastBall, .. } => {
+                    Self { win: 1.0, pot: 0.1, foul: -0.1, ..none }
+                }
+                GameFacts { scoring: Scoring::Points { .. } | Scoring::Target { .. }, .. } => {
+                    Self { win: 1.0, point: 0.01, ..none }
+                }
+            },
         }
     }
 
@@ -104,10 +109,11 @@ impl Config {
     /// The default settings of a task: no noise, no opponent.
     pub fn of(task: Task) -> Self {
         let points = match task {
-            Task::SumToThree => 10,
-            Task::Game(Rules::StraightPool) => 100,
-            _ => Options::default().points,
-        };
+            Task::SumToThree => Some(10),
+            Task::Game(game) => GameFacts::of(game).usual_points(),
+            Task::Potting => None,
+        }
+        .unwrap_or(Options::default().points);
         Self {
             noise: Noise::default(),
             aim: Aim::default(),

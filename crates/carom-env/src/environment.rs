@@ -28,7 +28,7 @@ pub(crate) fn episode(
 ) -> Result<Box<dyn Episode>, Error> {
     Ok(match task {
         Task::Potting => Box::new(Potting::new(config, setup)?),
-        Task::Game(rules) => Box::new(FrameEpisode::new(rules, config, setup)?),
+        Task::Game(game) => Box::new(FrameEpisode::new(game, config, setup)?),
         Task::SumToThree => Box::new(SumToThree::new(config, setup)?),
     })
 }
@@ -421,7 +421,7 @@ mod tests {
     use carom::{Noise, Simulator};
     use carom_arena::BuiltInPlayer;
     use carom_mind::{Answer, Budget, Situation};
-    use carom_rules::{Choice, Frame, Play, Request, Rules};
+    use carom_rules::{Choice, Frame, Game, Play, Request};
 
     use super::{Environment, episode};
     use crate::action::{StrikeDraw, strike};
@@ -439,14 +439,14 @@ mod tests {
 
     #[test]
     fn an_action_is_struck_as_the_engine_draws_it_beyond_each_limit_too() {
-        let task = Task::Game(Rules::NineBall);
+        let task = Task::Game(Game::NineBall);
         let noise = Noise { elevation: 0.3, ..Noise::preset("beginner").expect("a preset") };
         let config =
             Config { noise: noise.clone(), speed: [0.1, 8.0], elevation: 1.3, ..Config::of(task) };
         let mut episode: Box<dyn Episode> =
             episode(task, &config, &Setup::default()).expect("a task");
         episode.restart(4).expect("a rack");
-        let frame = carom_rules::Frame::new(Rules::NineBall, config.options, None, None, 4);
+        let frame = carom_rules::Frame::new(Game::NineBall, config.options, None, None, 4);
         let frame = frame.expect("the same rack");
         let turn = episode.turn().expect("a shot");
         let mut simulator = Simulator::new();
@@ -475,8 +475,8 @@ mod tests {
     }
 
     /// The first episode of a game against `opponent`, and its settings without noise for the agent.
-    fn against(rules: Rules, opponent: &str) -> (Environment, Config) {
-        let task = Task::Game(rules);
+    fn against(game: Game, opponent: &str) -> (Environment, Config) {
+        let task = Task::Game(game);
         let opponent = Opponent::read(opponent).expect("an opponent");
         let config = Config { opponent, ..Config::of(task) };
         let setup = Setup::default();
@@ -503,12 +503,12 @@ mod tests {
 
     #[test]
     fn a_reply_is_what_the_player_decides_about_the_frame() {
-        for (rules, name) in [
-            (Rules::EightBall, "carom:30"),
-            (Rules::NineBall, "greedy:30"),
-            (Rules::Snooker, "carom:30"),
+        for (game, name) in [
+            (Game::EightBall, "carom:30"),
+            (Game::NineBall, "greedy:30"),
+            (Game::Snooker, "carom:30"),
         ] {
-            let (mut environment, config) = against(rules, name);
+            let (mut environment, config) = against(game, name);
             let mut other = environment.clone();
             agent_plays(&mut other, &config, &WEAK_BREAK);
             let mut expected = frame(&other);
@@ -537,13 +537,13 @@ mod tests {
     #[test]
     fn a_player_answers_its_choices_itself_and_the_others_do_not() {
         for (name, is_asked) in [("carom:30", true), ("potter", false)] {
-            let (mut environment, config) = against(Rules::EightBall, name);
+            let (mut environment, config) = against(Game::EightBall, name);
             agent_plays(&mut environment, &config, &WEAK_BREAK);
             let frame = frame(&environment);
             let asks = matches!(frame.request(), Request::Choice { player: 1, .. });
             assert_eq!((asks, frame.player()), (is_asked, Some(1)), "{name}");
         }
-        let (mut environment, config) = against(Rules::EightBall, "carom:30");
+        let (mut environment, config) = against(Game::EightBall, "carom:30");
         agent_plays(&mut environment, &config, &WEAK_BREAK);
         let mut worker = Worker::new(&config);
         let answer = Some(Answer::Choice(Choice::Rebreak));
@@ -557,7 +557,7 @@ mod tests {
 
     #[test]
     fn a_player_that_concedes_loses() {
-        let (mut environment, config) = against(Rules::Snooker, "level-2");
+        let (mut environment, config) = against(Game::Snooker, "level-2");
         agent_plays(&mut environment, &config, &WEAK_BREAK);
         let mut worker = Worker::new(&config);
         let conceded = environment.take(&config, &mut worker.simulator, Some(Answer::Concede));
@@ -569,7 +569,7 @@ mod tests {
     #[test]
     fn an_answer_that_is_not_possible_truncates_the_episode() {
         for answer in [None, Some(Answer::Choice(Choice::Replace))] {
-            let (mut environment, config) = against(Rules::EightBall, "carom:30");
+            let (mut environment, config) = against(Game::EightBall, "carom:30");
             agent_plays(&mut environment, &config, &WEAK_BREAK);
             let mut worker = Worker::new(&config);
             let result = environment.take(&config, &mut worker.simulator, answer);
@@ -581,7 +581,7 @@ mod tests {
     #[test]
     fn a_level_strikes_with_its_own_noise_and_other_players_with_that_of_the_environment() {
         for (name, is_own) in [("level-1", true), ("carom", false), ("potter", false)] {
-            let (mut environment, config) = against(Rules::NineBall, name);
+            let (mut environment, config) = against(Game::NineBall, name);
             let turn = *environment.episode.turn().expect("a break");
             let agent = strike(&config, &*environment.episode, &turn, &WEAK_BREAK, agent(1, 2));
             let agent = agent.expect("a place");
@@ -597,7 +597,7 @@ mod tests {
             assert_eq!(struck.intended, play.strike, "{name}");
             assert_eq!(struck.actual != struck.intended, is_own, "{name}");
         }
-        let (_, config) = against(Rules::NineBall, "level-1");
+        let (_, config) = against(Game::NineBall, "level-1");
         let level = BuiltInPlayer::read("level-1").expect("a level");
         assert_eq!(
             (config.noise_of(true), Some(config.noise_of(false))),

@@ -1,15 +1,12 @@
 //! Episodes of a game with a referee.
 
-use core::ops::Range;
-
 use carom::event::NullRecorder;
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, Shot};
-use carom_rules::games::GameState;
-use carom_rules::games::eight_ball::Group;
+use carom_rules::games::eight_ball::{EIGHT, Group};
 use carom_rules::{
-    BallIndex, Call, Choice, Fouls, Frame, FrameBall, FrameSimulator, Prepared, Request, Rules,
-    Seat, StateBytes, Turn, through_degrees,
+    BallIndex, Call, Choice, Fouls, Frame, FrameBall, FrameSimulator, Game, Prepared, Request,
+    Scoring, Seat, StateBytes, Turn, through_degrees,
 };
 
 use crate::config::Config;
@@ -21,11 +18,6 @@ use crate::random::Dice;
 use crate::setup::Setup;
 use crate::task::Task;
 use crate::task_recorder::TaskRecorder;
-
-const EIGHT: BallIndex = 8;
-
-/// A good score in snooker: the maximum break.
-const MAXIMUM_BREAK: f64 = 147.0;
 
 /// Consecutive fouls that lose a rack of nine-ball.
 const SERIOUS: f64 = 3.0;
@@ -50,24 +42,17 @@ pub(crate) struct FrameEpisode {
 }
 
 impl FrameEpisode {
-    pub(crate) fn new(rules: Rules, config: &Config, setup: &Setup) -> Result<Self, Error> {
-        let table = setup.table.clone().unwrap_or_else(|| Task::Game(rules).table().into());
+    pub(crate) fn new(game: Game, config: &Config, setup: &Setup) -> Result<Self, Error> {
+        let table = setup.table.clone().unwrap_or_else(|| Task::Game(game).table().into());
         let (table, physics) = (Some(table), setup.physics.clone());
-        let frame = Frame::new(rules, config.options, table, physics, 0)?;
+        let frame = Frame::new(game, config.options, table, physics, 0)?;
         let (points, balls) = (config.options.points, config.balls);
         Ok(Self { frame, points, balls, chooser: None, failed: false })
     }
 
     /// Whether the shooter may pot `ball` in this turn.
     fn may_pot(&self, turn: &Turn, ball: BallIndex) -> bool {
-        if ball == turn.cue {
-            return false;
-        }
-        match self.frame.rules() {
-            Rules::EightBall if turn.on.is_empty() => ball != EIGHT,
-            Rules::EightBall | Rules::Snooker => turn.on.contains(&ball),
-            _ => true,
-        }
+        ball != turn.cue && self.frame.facts().may_pot(&turn.on, ball)
     }
 
     /// The call for a shot without an expected pot.
@@ -191,7 +176,7 @@ impl Episode for FrameEpisode {
             Request::Over { winner: Some(player), .. } => Some(Ending::Won(*player)),
             Request::Over { winner: None, .. } => {
                 let reached = self.frame.scores().iter().any(|score| *score >= self.points);
-                let drawn = self.frame.rules() == Rules::ThreeCushion && reached;
+                let drawn = self.frame.facts().has_equal_innings() && reached;
                 Some(if drawn { Ending::Drawn } else { Ending::Stalemate })
             }
             _ => None,
@@ -199,10 +184,10 @@ impl Episode for FrameEpisode {
     }
 
     fn standing(&self) -> Standing {
-        let whole = match self.frame.rules() {
-            Rules::Snooker => MAXIMUM_BREAK,
-            _ => f64::from(self.points),
-        };
+        let whole = f64::from(match self.frame.facts().scoring {
+            Scoring::Points { maximum } => maximum,
+            Scoring::LastBall | Scoring::Target { .. } => self.points,
+        });
         Standing {
             scores: self.frame.scores().map(|score| f64::from(score) / whole),
             fouls: self.frame.fouls_in_a_row().map(|fouls| f64::from(fouls) / SERIOUS),
@@ -215,17 +200,13 @@ impl Episode for FrameEpisode {
     }
 
     fn ball_seen(&self, viewer: Seat, k: BallIndex) -> BallIndex {
-        match (self.frame.game_state(), k) {
-            // Order: the viewer's group, the eight, the other group.
-            (GameState::EightBall(game), 1..=15) if game.group(viewer) == Some(Group::Stripes) => {
-                match k {
-                    EIGHT => EIGHT,
-                    1..EIGHT => k + EIGHT,
-                    _ => k - EIGHT,
-                }
-            }
+        let stripes = || self.frame.group(viewer) == Some(Group::Stripes);
+        match k {
             // Order: the viewer's cue ball, the other cue ball, the red.
-            (GameState::ThreeCushion(_), 0..=1) if viewer == 1 => 1 - k,
+            0 | 1 if self.frame.facts().own_cue_balls => k ^ BallIndex::from(viewer == 1),
+            // Order: the viewer's group, the eight, the other group.
+            1..=7 if stripes() => k + EIGHT,
+            9..=15 if stripes() => k - EIGHT,
             _ => k,
         }
     }
@@ -239,7 +220,7 @@ impl Episode for FrameEpisode {
     }
 
     fn set_up(&mut self, setup: &Setup, config: &Config) -> Result<(), Error> {
-        *self = Self::new(self.frame.rules(), config, setup)?;
+        *self = Self::new(self.frame.game(), config, setup)?;
         Ok(())
     }
 
@@ -252,16 +233,16 @@ impl Episode for FrameEpisode {
             }
             EpisodeStart::Frame(frame) => {
                 let wrong = |what: String, remedy| Err(Error::input("frame", what, remedy));
-                let rules = self.frame.rules();
-                if frame.rules() != rules {
-                    let what = format!("it is {}, not {}", frame.rules().name(), rules.name());
+                let game = self.frame.game();
+                if frame.game() != game {
+                    let what = format!("it is {}, not {}", frame.game().name(), game.name());
                     return wrong(what, "give a frame of the environment's game");
                 }
                 check_same_place(self.frame.base(), frame.base(), config)?;
                 if frame.is_over() {
                     return wrong("it is over".into(), "give one that asks for a shot or a choice");
                 }
-                let counts = matches!(rules, Rules::StraightPool | Rules::ThreeCushion);
+                let counts = frame.facts().has_target();
                 if counts && frame.options().points != self.points {
                     let what = format!("it is to {} points", frame.options().points);
                     return wrong(what, "make the environment with the same points=");
@@ -303,16 +284,17 @@ impl Episode for FrameEpisode {
         let Some([least, most]) = self.balls else { return Ok(()) };
         let mut dice = Dice::of_layout(seed);
         let layout = self.frame.layout();
-        let (always, others, spotted) = placed_at_random(self.frame.rules(), layout.len());
+        let Some(start) = self.frame.facts().random_start else { return Ok(()) };
         let mut wanted = vec![false; layout.len()];
-        always.iter().for_each(|ball| wanted[*ball] = true);
-        let mut missing = least + dice.below(most - least + 1) - (always.len() - 1);
-        while missing > 0 {
-            let ball = others.start + dice.below(others.len());
+        start.always.iter().for_each(|ball| wanted[usize::from(*ball)] = true);
+        let mut missing = least + dice.below(most - least + 1) - (start.always.len() - 1);
+        while let (1.., Some([first, last])) = (missing, start.drawn) {
+            let ball = usize::from(first) + dice.below(usize::from(last - first) + 1);
             missing -= usize::from(!wanted[ball]);
             wanted[ball] = true;
         }
-        let is_spotted = |ball| spotted.contains(&usize::from(ball));
+        let is_spotted =
+            |ball| start.racked.is_some_and(|[first, last]| (first..=last).contains(&ball));
         let mut places: Vec<_> = (0..layout.len() as BallIndex)
             .map(|ball| layout.place(ball).filter(|_| is_spotted(ball)))
             .collect();
@@ -344,22 +326,5 @@ impl Episode for FrameEpisode {
 
     fn boxed(&self) -> Box<dyn Episode> {
         Box::new(self.clone())
-    }
-}
-
-/// The balls of a game that starts from a random layout of `count` balls: those that are always
-/// placed at random; the range from which further ones are drawn; those that stay where they are
-/// racked.
-const fn placed_at_random(
-    rules: Rules,
-    count: usize,
-) -> (&'static [usize], Range<usize>, Range<usize>) {
-    match rules {
-        Rules::EightBall => (&[0, 8], 1..count, 0..0),
-        Rules::NineBall => (&[0, 9], 1..count, 0..0),
-        Rules::TenBall => (&[0, 10], 1..count, 0..0),
-        Rules::Snooker => (&[0], 1..16, 16..count),
-        Rules::ThreeCushion => (&[0, 1, 2], 0..0, 0..0),
-        Rules::StraightPool | Rules::Practice => (&[0], 1..count, 0..0),
     }
 }

@@ -1,7 +1,7 @@
 //! The tasks.
 
 use carom::Error;
-use carom_rules::Rules;
+use carom_rules::{Game, GameFacts, Scoring};
 
 use crate::names::named;
 
@@ -11,29 +11,26 @@ pub enum Task {
     /// One shot at randomly placed balls: pot one.
     Potting,
     /// A frame of a game.
-    Game(Rules),
+    Game(Game),
     /// Two balls on a table without pockets: touch exactly three cushions.
     SumToThree,
 }
 
 impl Task {
-    /// Every task.
-    pub const ALL: [Self; 8] = [
-        Self::Potting,
-        Self::Game(Rules::EightBall),
-        Self::Game(Rules::NineBall),
-        Self::Game(Rules::TenBall),
-        Self::Game(Rules::StraightPool),
-        Self::Game(Rules::Snooker),
-        Self::Game(Rules::ThreeCushion),
-        Self::SumToThree,
-    ];
+    /// Every task: the games that can begin in a random middle, and the others.
+    pub fn all() -> Vec<Self> {
+        let games = Game::ALL.into_iter().map(Self::Game);
+        let mut tasks = vec![Self::Potting];
+        tasks.extend(games.filter(|task| task.random_balls().is_some()));
+        tasks.push(Self::SumToThree);
+        tasks
+    }
 
     /// The task's name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Potting => "potting",
-            Self::Game(rules) => rules.name(),
+            Self::Game(game) => game.name(),
             Self::SumToThree => "sum-to-three",
         }
     }
@@ -43,26 +40,34 @@ impl Task {
     /// # Errors
     /// [`Error::Input`] if there is none.
     pub fn read(name: &str) -> Result<Self, Error> {
-        named(&Self::ALL, Self::name, "task", name)
+        named(&Self::all(), Self::name, "task", name)
     }
 
     /// The name of the task's own table.
     pub(crate) const fn table(self) -> &'static str {
         match self {
             Self::Potting => "wpa-9ft",
-            Self::Game(rules) => rules.rack().table(),
+            Self::Game(game) => game.table(),
             Self::SumToThree => "carom-10ft",
         }
     }
 
     /// Whether the cue ball can ever be in hand.
     pub const fn has_hand(self) -> bool {
-        !matches!(self, Self::Potting | Self::SumToThree | Self::Game(Rules::ThreeCushion))
+        match self {
+            Self::Potting | Self::SumToThree => false,
+            Self::Game(game) => !GameFacts::of(game).is_carom(),
+        }
     }
 
     /// Whether fouls can make a score negative.
     pub(crate) const fn has_negative_scores(self) -> bool {
-        matches!(self, Self::Game(Rules::StraightPool))
+        match self {
+            Self::Potting | Self::SumToThree => false,
+            Self::Game(game) => {
+                matches!(GameFacts::of(game).scoring, Scoring::Target { negative: true, .. })
+            }
+        }
     }
 
     /// Smallest and largest number of object balls that can be placed at random at the start; none
@@ -70,13 +75,12 @@ impl Task {
     /// spots.
     pub(crate) const fn random_balls(self) -> Option<[usize; 2]> {
         match self {
-            Self::Potting | Self::Game(Rules::EightBall) => Some([1, 15]),
-            Self::Game(Rules::NineBall) => Some([1, 9]),
-            Self::Game(Rules::TenBall) => Some([1, 10]),
-            Self::Game(Rules::StraightPool) => Some([2, 15]),
-            Self::Game(Rules::Snooker) => Some([0, 15]),
-            Self::Game(Rules::ThreeCushion) => Some([2, 2]),
-            Self::Game(Rules::Practice) | Self::SumToThree => None,
+            Self::Potting => Some([1, 15]),
+            Self::Game(game) => match &GameFacts::of(game).random_start {
+                Some(start) => Some(start.count),
+                None => None,
+            },
+            Self::SumToThree => None,
         }
     }
 }

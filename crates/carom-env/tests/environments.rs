@@ -6,7 +6,7 @@ use carom_env::{
     Aim, Autoreset, CUSHIONS, Config, FEATURES, MAX_ENVIRONMENTS, Opponent, Rewards, Setup,
     TargetBall, Task, VectorEnv,
 };
-use carom_rules::Rules;
+use carom_rules::Game;
 
 /// Random actions that are the same for the same seed.
 fn actions(count: usize, seed: u64) -> Vec<f32> {
@@ -41,14 +41,14 @@ fn bits(task: Task, n: usize, steps: u64, threads: usize) -> Vec<u64> {
 
 #[test]
 fn results_are_the_same_bits_for_any_number_of_threads() {
-    for task in Task::ALL {
+    for task in Task::all() {
         assert_eq!(bits(task, 40, 3, 1), bits(task, 40, 3, 3), "{}", task.name());
     }
 }
 
 #[test]
 fn observations_are_within_their_bounds_and_no_episode_ends_in_two_ways() {
-    for task in Task::ALL {
+    for task in Task::all() {
         for opponent in [Opponent::None, Opponent::Random, Opponent::Potter] {
             if task == Task::Potting && opponent != Opponent::None {
                 continue;
@@ -102,15 +102,15 @@ fn the_lowest_ball_is_harder_to_pot_than_any() {
 #[test]
 fn games_start_with_the_requested_number_of_random_balls() {
     // The third column: balls that are always on the table, besides the cue ball.
-    for (rules, balls, always) in [
-        (Rules::EightBall, [4, 9], &[8][..]),
-        (Rules::NineBall, [2, 5], &[9]),
-        (Rules::TenBall, [1, 10], &[10]),
-        (Rules::StraightPool, [2, 15], &[]),
-        (Rules::Snooker, [0, 6], &[16, 17, 18, 19, 20, 21]),
-        (Rules::ThreeCushion, [2, 2], &[1, 2]),
+    for (game, balls, always) in [
+        (Game::EightBall, [4, 9], &[8][..]),
+        (Game::NineBall, [2, 5], &[9]),
+        (Game::TenBall, [1, 10], &[10]),
+        (Game::StraightPool, [2, 15], &[]),
+        (Game::Snooker, [0, 6], &[16, 17, 18, 19, 20, 21]),
+        (Game::ThreeCushion, [2, 2], &[1, 2]),
     ] {
-        let task = Task::Game(rules);
+        let task = Task::Game(game);
         let count = 300;
         let vector = environments(task, count, Config { balls: Some(balls), ..Config::of(task) });
         let mut seen = std::collections::BTreeSet::new();
@@ -124,7 +124,7 @@ fn games_start_with_the_requested_number_of_random_balls() {
             // The cue ball is not in hand, and it is not an opening shot.
             assert_eq!([rest[0], rest[1], rest[2], rest[5]], [0.0; 4], "{}", task.name());
             places.insert([row[0].to_bits(), row[1].to_bits()]);
-            let spotted = if rules == Rules::Snooker { 6 } else { 0 };
+            let spotted = if game == Game::Snooker { 6 } else { 0 };
             seen.insert(on_table[1..].iter().filter(|on| **on).count() - spotted);
         }
         let asked: Vec<usize> = (balls[0]..=balls[1]).collect();
@@ -135,7 +135,7 @@ fn games_start_with_the_requested_number_of_random_balls() {
 
 #[test]
 fn with_random_reds_the_colours_are_on_their_spots() {
-    let task = Task::Game(Rules::Snooker);
+    let task = Task::Game(Game::Snooker);
     let config = |balls| Config { balls, ..Config::of(task) };
     let colors = |balls| {
         let vector = environments(task, 1, config(balls));
@@ -150,7 +150,7 @@ fn with_random_reds_the_colours_are_on_their_spots() {
 
 #[test]
 fn the_cue_ball_in_hand_is_placed_at_the_place_of_the_action() {
-    let task = Task::Game(Rules::NineBall);
+    let task = Task::Game(Game::NineBall);
     let mut vector = environments(task, 1, Config::of(task));
     // A slow shot across the table: it changes x a little and y not at all.
     let action = [0.0, -1.0, 0.0, 0.0, -1.0, 0.4, 0.2];
@@ -164,7 +164,7 @@ fn the_cue_ball_in_hand_is_placed_at_the_place_of_the_action() {
 
 #[test]
 fn an_observation_lists_the_viewers_own_group_first() {
-    let task = Task::Game(Rules::EightBall);
+    let task = Task::Game(Game::EightBall);
     let config = Config {
         balls: Some([9, 9]),
         aim: Aim::Relative,
@@ -227,7 +227,7 @@ fn a_shot_that_never_ends_truncates_the_episode_with_a_penalty() {
 
 #[test]
 fn a_clone_continues_independently_from_the_same_state() {
-    for task in Task::ALL {
+    for task in Task::all() {
         let config = Config { noise: Noise::olympiad(1.0), ..Config::of(task) };
         let mut vector = environments(task, 4, config);
         let width = 4 * vector.action_size();
@@ -241,7 +241,7 @@ fn a_clone_continues_independently_from_the_same_state() {
 
 #[test]
 fn an_episode_is_truncated_after_its_limit_of_steps() {
-    let task = Task::Game(Rules::ThreeCushion);
+    let task = Task::Game(Game::ThreeCushion);
     let config = Config { max_steps: Some(3), autoreset: Autoreset::Disabled, ..Config::of(task) };
     let mut vector = environments(task, 2, config);
     let width = 2 * vector.action_size();
@@ -274,10 +274,10 @@ fn settings_out_of_range_are_refused_with_their_place() {
     assert!(refused(Task::Potting, heap).starts_with("balls"));
     for (task, balls) in [
         (Task::SumToThree, [2, 2]),
-        (Task::Game(Rules::ThreeCushion), [1, 2]),
-        (Task::Game(Rules::StraightPool), [1, 5]),
-        (Task::Game(Rules::TenBall), [1, 11]),
-        (Task::Game(Rules::Snooker), [0, 16]),
+        (Task::Game(Game::ThreeCushion), [1, 2]),
+        (Task::Game(Game::StraightPool), [1, 5]),
+        (Task::Game(Game::TenBall), [1, 11]),
+        (Task::Game(Game::Snooker), [0, 16]),
     ] {
         let middle = Config { balls: Some(balls), ..Config::of(task) };
         assert!(refused(task, middle).starts_with("balls"), "{}", task.name());

@@ -3,7 +3,7 @@
 use carom::Noise;
 use carom_arena::BuiltInPlayer;
 use carom_env::{Aim, Autoreset, Config, OPPONENT_SIMULATIONS, Opponent, Rewards, Task, VectorEnv};
-use carom_rules::Rules;
+use carom_rules::Game;
 
 /// Random actions that are the same for the same seed.
 fn actions(count: usize, seed: u64) -> Vec<f32> {
@@ -16,10 +16,10 @@ fn actions(count: usize, seed: u64) -> Vec<f32> {
 }
 
 /// The settings of a game against `opponent` that begins with few balls, so that frames are short.
-fn short(rules: Rules, opponent: &str) -> Config {
-    let balls = match rules {
-        Rules::ThreeCushion => None,
-        Rules::Snooker => Some([0, 0]),
+fn short(game: Game, opponent: &str) -> Config {
+    let balls = match game {
+        Game::ThreeCushion => None,
+        Game::Snooker => Some([0, 0]),
         _ => Some([2, 2]),
     };
     let mut config = Config {
@@ -27,14 +27,14 @@ fn short(rules: Rules, opponent: &str) -> Config {
         noise: Noise::olympiad(1.0),
         aim: Aim::Relative,
         balls,
-        ..Config::of(Task::Game(rules))
+        ..Config::of(Task::Game(game))
     };
     (config.options.points, config.options.patience) = (2, 8);
     config
 }
 
-fn environments(rules: Rules, n: usize, seed: u64, config: Config) -> VectorEnv {
-    let mut vector = VectorEnv::new(Task::Game(rules), n, seed, config).expect("a game");
+fn environments(game: Game, n: usize, seed: u64, config: Config) -> VectorEnv {
+    let mut vector = VectorEnv::new(Task::Game(game), n, seed, config).expect("a game");
     let seeds: Vec<u64> = (seed..seed + n as u64).collect();
     vector.reset(Some(&seeds), None).expect("seeds for all");
     vector
@@ -42,8 +42,8 @@ fn environments(rules: Rules, n: usize, seed: u64, config: Config) -> VectorEnv 
 
 /// The bits of all results of environment `index` of `n`, whose seed is always the same.
 fn bits(n: usize, index: usize, opponent: &str, threads: usize) -> Vec<u64> {
-    let config = Config { threads: Some(threads), ..short(Rules::NineBall, opponent) };
-    let mut vector = environments(Rules::NineBall, n, 20 - index as u64, config);
+    let config = Config { threads: Some(threads), ..short(Game::NineBall, opponent) };
+    let mut vector = environments(Game::NineBall, n, 20 - index as u64, config);
     let mut bits = Vec::new();
     for step in 0..3 {
         let one = actions(vector.action_size(), step);
@@ -71,34 +71,34 @@ fn a_players_decisions_are_the_same_for_any_number_of_threads_and_of_environment
 #[test]
 fn every_player_plays_a_whole_frame_of_every_game() {
     let games = [
-        Rules::EightBall,
-        Rules::NineBall,
-        Rules::TenBall,
-        Rules::StraightPool,
-        Rules::Snooker,
-        Rules::ThreeCushion,
+        Game::EightBall,
+        Game::NineBall,
+        Game::TenBall,
+        Game::StraightPool,
+        Game::Snooker,
+        Game::ThreeCushion,
     ];
     for (k, name) in BuiltInPlayer::names().enumerate() {
         // Two games for each player; together each game has several players.
-        for rules in [games[k % games.len()], games[(k + 2) % games.len()]] {
+        for game in [games[k % games.len()], games[(k + 2) % games.len()]] {
             let failure = -1000.0;
             let config = Config {
-                rewards: Rewards { failure, ..Rewards::of(Task::Game(rules)) },
+                rewards: Rewards { failure, ..Rewards::of(Task::Game(game)) },
                 autoreset: Autoreset::Disabled,
-                ..short(rules, &format!("{name}:20"))
+                ..short(game, &format!("{name}:20"))
             };
-            let mut vector = environments(rules, 1, 3, config);
+            let mut vector = environments(game, 1, 3, config);
             let mut ended = false;
             for step in 0..100 {
                 let out = vector.step(&actions(vector.action_size(), step)).expect("a step");
-                assert!(out.rewards[0] > 0.5 * failure, "{name}, {}: a failure", rules.name());
+                assert!(out.rewards[0] > 0.5 * failure, "{name}, {}: a failure", game.name());
                 ended = out.terminated[0] || out.truncated[0];
                 if ended {
                     break;
                 }
-                assert_eq!(out.players[0], 0, "{name}, {}", rules.name());
+                assert_eq!(out.players[0], 0, "{name}, {}", game.name());
             }
-            assert!(ended, "{name}, {}", rules.name());
+            assert!(ended, "{name}, {}", game.name());
         }
     }
 }
@@ -106,7 +106,7 @@ fn every_player_plays_a_whole_frame_of_every_game() {
 #[test]
 fn a_player_that_thinks_wins_more_than_one_that_plays_at_random() {
     let earned = |opponent: &str| {
-        let mut vector = environments(Rules::EightBall, 20, 0, short(Rules::EightBall, opponent));
+        let mut vector = environments(Game::EightBall, 20, 0, short(Game::EightBall, opponent));
         let steps = (0..4).map(|step| {
             let out = vector.step(&actions(20 * vector.action_size(), step)).expect("a step");
             out.rewards.iter().sum::<f64>()
@@ -119,7 +119,7 @@ fn a_player_that_thinks_wins_more_than_one_that_plays_at_random() {
 
 #[test]
 fn a_clone_continues_against_the_same_player() {
-    let mut vector = environments(Rules::NineBall, 2, 0, short(Rules::NineBall, "carom:30"));
+    let mut vector = environments(Game::NineBall, 2, 0, short(Game::NineBall, "carom:30"));
     let width = 2 * vector.action_size();
     vector.step(&actions(width, 1)).expect("a step");
     let mut tried = vector.clone();
@@ -133,9 +133,9 @@ fn a_player_without_a_number_has_the_default_number_of_simulated_shots() {
         let config = Config {
             balls: None,
             autoreset: Autoreset::Disabled,
-            ..short(Rules::EightBall, &opponent)
+            ..short(Game::EightBall, &opponent)
         };
-        let mut vector = environments(Rules::EightBall, 2, 0, config);
+        let mut vector = environments(Game::EightBall, 2, 0, config);
         vector.step(&actions(2 * vector.action_size(), 1)).expect("a step").observations
     };
     assert_eq!(seen("carom".into()), seen(format!("carom:{OPPONENT_SIMULATIONS}")));

@@ -11,7 +11,7 @@ use std::error::Error;
 use carom::Shot;
 use carom::noise::SKILLS;
 use carom_mind::{Answer, Budget, Player, Searcher, Situation};
-use carom_rules::{Frame, Options, Rules};
+use carom_rules::{Frame, Game, Options};
 
 /// The level of play.
 const LEVEL: &str = "club";
@@ -26,7 +26,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let text = std::fs::read_to_string(file)?;
     let frames = text
         .lines()
-        .map(|line| Frame::of_shot(Rules::EightBall, Options::default(), &Shot::from_json(line)?))
+        .map(|line| Frame::of_shot(Game::EightBall, Options::default(), &Shot::from_json(line)?))
         .collect::<Result<Vec<_>, _>>()?;
     let mut player = Searcher::default();
     let (mut spent, mut bits) = (0, 0_u64);

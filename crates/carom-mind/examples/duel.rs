@@ -19,7 +19,7 @@ use carom::runner::Runner;
 use carom_mind::literature::{CueCard, CueCardBreak, CueCardSettings, LevelTwo, Literature};
 use carom_mind::{Answer, Budget, Player, Searcher, Situation, Spent};
 use carom_plan::{Interval, Prepared, wilson};
-use carom_rules::{Frame, FrameSimulator, Options, Play, Request, Rules};
+use carom_rules::{Frame, FrameSimulator, Game, Options, Play, Request};
 
 /// Separates the errors of the strikes from the seeds of the racks.
 const STREAM: u64 = 0x6475_656c;
@@ -103,7 +103,7 @@ fn play(
     simulator: &mut FrameSimulator,
 ) -> Result<Played, carom::Error> {
     let table = Some(Node::from("poolfiz"));
-    let mut frame = Frame::new(Rules::EightBall, Options::default(), table, None, rack)?;
+    let mut frame = Frame::new(Game::EightBall, Options::default(), table, None, rack)?;
     let mut costs = [Cost::default(); 2];
     let mut shots = [0_u64; 2];
     let mut decisions = 0;

@@ -28,7 +28,7 @@ use carom_mind::targets::{Targets, call_of};
 use carom_mind::value::{Logistic, Position, Value};
 use carom_mind::{Answer, Budget, Player, Searcher, Situation};
 use carom_plan::{Prepared, Sampler};
-use carom_rules::{Call, Frame, Options, Play, Rules, Seat};
+use carom_rules::{Call, Frame, Game, Options, Play, Seat};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
@@ -55,16 +55,16 @@ fn main() -> Result<(), Box<dyn Error>> {
     let [ending, first, count, simulations] = words.as_slice() else {
         return Err("usage: endings ENDING FIRST COUNT SIMULATIONS".into());
     };
-    let (rules, balls): (Rules, &[usize]) = match ending.as_str() {
-        "last-ball-and-eight" => (Rules::EightBall, &[0, 1, 8, 9]),
-        "lone-nine" => (Rules::NineBall, &[0, 9]),
-        "three-balls" => (Rules::NineBall, &[0, 7, 8, 9]),
+    let (game, balls): (Game, &[usize]) = match ending.as_str() {
+        "last-ball-and-eight" => (Game::EightBall, &[0, 1, 8, 9]),
+        "lone-nine" => (Game::NineBall, &[0, 9]),
+        "three-balls" => (Game::NineBall, &[0, 7, 8, 9]),
         _ => return Err("ENDING is last-ball-and-eight, lone-nine or three-balls".into()),
     };
     let (first, count): (u64, u64) = (first.parse()?, count.parse()?);
     let simulations: u64 = simulations.parse()?;
     for number in first..first + count {
-        let frame = random_frame(rules, balls, number)?;
+        let frame = random_frame(game, balls, number)?;
         let noise = Noise::olympiad(1.0);
         let situation = Situation::new(&frame, noise.clone(), number);
         let decision = Searcher::default().decide(&situation, &Budget::simulations(simulations))?;
@@ -95,8 +95,8 @@ fn words_of(play: &Play) -> String {
 }
 
 /// A frame with these balls at random places.
-fn random_frame(rules: Rules, balls: &[usize], number: u64) -> Result<Frame, carom::Error> {
-    let mut frame = Frame::new(rules, Options::default(), None, None, 0)?;
+fn random_frame(game: Game, balls: &[usize], number: u64) -> Result<Frame, carom::Error> {
+    let mut frame = Frame::new(game, Options::default(), None, None, 0)?;
     let mut random = Pcg64::new(u128::from(number), 0x656e_6469_6e67);
     let mut unit = || (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
     let radius = frame.layout().balls()[0].ball.radius;

@@ -26,16 +26,16 @@ use carom_mind::Situation;
 use carom_mind::breaks::{BreakCounts, BreakShot, Fit, FoundBreak, found as shipped};
 use carom_mind::search::{BreakSearch, Racks};
 use carom_mind::value::Logistic;
-use carom_rules::{Frame, Options, Rules};
+use carom_rules::{Frame, Game, GameFacts, OpeningKind, Options};
 
 /// The breaks that are shipped: games with their tables.
-const WANTED: [(Rules, &[&str]); 6] = [
-    (Rules::EightBall, &POOL),
-    (Rules::NineBall, &POOL),
-    (Rules::TenBall, &POOL),
-    (Rules::StraightPool, &POOL),
-    (Rules::Snooker, &["snooker-12ft"]),
-    (Rules::ThreeCushion, &["carom-10ft"]),
+const WANTED: [(Game, &[&str]); 6] = [
+    (Game::EightBall, &POOL),
+    (Game::NineBall, &POOL),
+    (Game::TenBall, &POOL),
+    (Game::StraightPool, &POOL),
+    (Game::Snooker, &["snooker-12ft"]),
+    (Game::ThreeCushion, &["carom-10ft"]),
 ];
 const POOL: [&str; 4] = ["wpa-9ft", "wpa-8ft", "bar-7ft", "poolfiz"];
 /// Multiples of the Olympiad's errors.
@@ -68,11 +68,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     }
     let runner = Runner::new(threads)?;
     for noise in NOISES {
-        for (rules, tables) in WANTED {
+        for (game, tables) in WANTED {
             for table in tables {
-                let key = format!("{},{table},{noise}", rules.name());
+                let key = format!("{},{table},{noise}", game.name());
                 if only.as_ref().is_none_or(|only| *only == key) {
-                    add(rules, table, noise, (simulations, &runner))?;
+                    add(game, table, noise, (simulations, &runner))?;
                 }
             }
         }
@@ -86,21 +86,21 @@ fn data() -> std::path::PathBuf {
 
 /// Searches a break and adds it to the data, unless it is there.
 fn add(
-    rules: Rules,
+    game: Game,
     table: &str,
     noise: f64,
     (simulations, runner): (u64, &Runner),
 ) -> Result<(), Box<dyn Error>> {
     let dated = find(TABLES, table).ok_or("an unknown table")?.dated;
-    let key = format!("{},{dated},{noise},", rules.name());
+    let key = format!("{},{dated},{noise},", game.name());
     if std::fs::read_to_string(data())?.lines().any(|line| line.starts_with(&key)) {
         return Ok(());
     }
     let began = Instant::now();
-    let frame = Frame::new(rules, Options::default(), Some(Node::from(table)), None, 0)?;
+    let frame = Frame::new(game, Options::default(), Some(Node::from(table)), None, 0)?;
     let value = Logistic;
     let of_player = Noise::olympiad(noise);
-    let is_hard = matches!(rules, Rules::EightBall | Rules::NineBall | Rules::TenBall);
+    let is_hard = GameFacts::of(game).opening.kind == OpeningKind::Break;
     let speeds: &[f64] = if is_hard { &CENTER_SPEEDS } else { &[] };
     let centers = speeds.iter().map(|speed| BreakShot::center(*speed));
     // The break that is shipped now is compared with the new ones.
@@ -127,8 +127,7 @@ fn add(
     let (counts, _) = racks.count(&[shot], RACKS, RACKS, runner)?;
     let version = env!("CARGO_PKG_VERSION");
     let counts = counts[0];
-    let entry =
-        FoundBreak { rules, table: dated, noise, shot, counts, simulations: spent, version };
+    let entry = FoundBreak { game, table: dated, noise, shot, counts, simulations: spent, version };
     let mut file = OpenOptions::new().append(true).open(data())?;
     writeln!(file, "{}", entry.line())?;
     eprintln!("{}  {:.0} s", entry.line(), began.elapsed().as_secs_f64());
@@ -144,7 +143,7 @@ fn print_table() -> Result<(), Box<dyn Error>> {
 }
 
 fn row(entry: &FoundBreak) -> String {
-    let FoundBreak { rules, table, noise, shot, counts, .. } = entry;
+    let FoundBreak { game, table, noise, shot, counts, .. } = entry;
     let BreakShot { across, behind, aim, speed, side, height } = shot;
     let BreakCounts { breaks, fallen, any_fallen, kept, fouls, game_ball, win, error } = counts;
     let name = find(TABLES, table).map_or(*table, |edition| edition.name);
@@ -152,7 +151,7 @@ fn row(entry: &FoundBreak) -> String {
     format!(
         "| {} | {name} | {noise} | {across:.2}, {behind:.2} | {aim:.2} | {speed:.1} | {side:.2}, \
          {height:.2} | {:.2} | {:.1} | {:.1} | {:.1} | {:.1} | {:.1} ± {:.1} |",
-        rules.name(),
+        game.name(),
         *fallen as f64 / *breaks as f64,
         share(any_fallen),
         share(kept),

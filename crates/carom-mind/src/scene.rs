@@ -176,13 +176,13 @@ pub fn towards(from: Vec2, to: Vec2) -> Option<(Vec2, f64)> {
 #[cfg(test)]
 mod tests {
     use carom::math::{Vec2, degrees};
-    use carom_rules::{Frame, Options, Rules};
+    use carom_rules::{Frame, Game, Options};
 
     use super::Scene;
 
     #[test]
     fn the_window_of_a_corner_is_widest_on_its_axis_and_narrows_with_distance() {
-        let frame = Frame::new(Rules::EightBall, Options::default(), None, None, 0).unwrap();
+        let frame = Frame::new(Game::EightBall, Options::default(), None, None, 0).unwrap();
         let scene = Scene::new(&frame);
         let pocket = &scene.table.pockets[0];
         let [a, b] = pocket.mouth;
@@ -203,7 +203,7 @@ mod tests {
 
     #[test]
     fn a_corridor_is_clear_up_to_the_touch_of_a_ball() {
-        let mut frame = Frame::new(Rules::NineBall, Options::default(), None, None, 0).unwrap();
+        let mut frame = Frame::new(Game::NineBall, Options::default(), None, None, 0).unwrap();
         let mut places = vec![None; frame.layout().len()];
         places[0] = Some([0.3, 0.3]);
         places[9] = Some([0.6, 1.0]);

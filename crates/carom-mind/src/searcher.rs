@@ -4,7 +4,7 @@ mod choices;
 
 use carom::Error;
 use carom::format::Reader;
-use carom_rules::{Request, Rules};
+use carom_rules::Request;
 
 use crate::player::{Answer, Budget, Decision, Player, Situation};
 use crate::search::{Found, Rounds, SearchTask, ShotSearch, ShotTask};
@@ -132,8 +132,7 @@ impl ShotSearch<'_> {
             ));
         };
         let win_chance = best.stated_win();
-        let gives_up =
-            shot.frame().rules() == Rules::Snooker && win_chance < settings.concede_below;
+        let gives_up = shot.frame().facts().conceded && win_chance < settings.concede_below;
         let answer = if gives_up { Answer::Concede } else { Answer::Play(best.play) };
         Ok(Decision { answer, win_chance: Some(win_chance), spent })
     }

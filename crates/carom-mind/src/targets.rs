@@ -1,13 +1,8 @@
 //! The balls that a turn asks for: which may be hit first, which are worth potting, and the calls.
 
 use carom::table::PocketName;
-use carom_rules::games::GameState;
-use carom_rules::games::eight_ball::Group;
-use carom_rules::games::snooker::value;
-use carom_rules::{BallIndex, BallList, Call, Frame, Rules, Seat, Turn};
-
-/// The eight.
-pub(crate) const EIGHT: BallIndex = 8;
+use carom_rules::games::eight_ball::{EIGHT, Group};
+use carom_rules::{BallIndex, BallList, Call, Frame, Objective, Seat, Turn};
 
 /// The balls that a turn asks for.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,11 +20,11 @@ impl Targets {
     pub fn of(frame: &Frame, turn: &Turn) -> Self {
         let others = || frame.layout().on_table().filter(|ball| *ball != turn.cue);
         let first = if turn.on.is_empty() { others().collect() } else { turn.on };
-        let objects = match frame.rules() {
+        let objects = match frame.facts().objective {
             // Any ball may follow the lowest into a pocket.
-            Rules::NineBall | Rules::TenBall => others().collect(),
-            Rules::ThreeCushion => BallList::new(),
-            _ => first,
+            Objective::LowestFirst => others().collect(),
+            Objective::Caroms => BallList::new(),
+            Objective::AnyBall | Objective::Groups | Objective::RedsAndColors => first,
         };
         Self { cue: turn.cue, first, objects }
     }
@@ -52,16 +47,17 @@ pub fn balls_left(frame: &Frame, seat: Seat) -> usize {
     let layout = frame.layout();
     let left =
         |group: Group| layout.on_table().filter(|ball| Group::of(*ball) == Some(group)).count();
-    match frame.game_state() {
-        GameState::EightBall(game) => {
-            let group = match game.group(seat) {
+    match frame.facts().objective {
+        Objective::Groups => {
+            let group = match frame.group(seat) {
                 Some(group) => left(group),
                 None => left(Group::Solids).min(left(Group::Stripes)),
             };
             group + usize::from(!layout.is_down(EIGHT))
         }
-        GameState::Snooker(_) => layout.on_table().filter(|ball| value(*ball) > 0).count(),
-        GameState::ThreeCushion(_) => 0,
-        _ => layout.on_table().filter(|ball| *ball != 0).count(),
+        Objective::Caroms => 0,
+        Objective::AnyBall | Objective::LowestFirst | Objective::RedsAndColors => {
+            layout.on_table().filter(|ball| *ball != 0).count()
+        }
     }
 }

@@ -12,12 +12,12 @@ use carom_mind::value::Logistic;
 use carom_mind::{
     Answer, BreakChoice, Budget, Decision, Player, SearchSettings, Searcher, Situation,
 };
-use carom_rules::{Frame, Options, Rules};
+use carom_rules::{Frame, Game, Options};
 
 const SEARCHED: BreakChoice = BreakChoice::Searched;
 
-fn new_frame(rules: Rules, physics: Option<&str>) -> Frame {
-    Frame::new(rules, Options::default(), None, physics.map(Node::from), 0).expect("a frame")
+fn new_frame(game: Game, physics: Option<&str>) -> Frame {
+    Frame::new(game, Options::default(), None, physics.map(Node::from), 0).expect("a frame")
 }
 
 fn runner(threads: usize) -> Runner {
@@ -50,7 +50,7 @@ fn deviations((a, n): (u64, u64), (b, m): (u64, u64)) -> f64 {
 fn the_stated_counts_of_every_entry_hold_on_fresh_racks_with_the_present_physics() {
     for entry in entries() {
         let table = Some(Node::from(entry.table));
-        let frame = Frame::new(entry.rules, Options::default(), table, None, 0).expect("a frame");
+        let frame = Frame::new(entry.game, Options::default(), table, None, 0).expect("a frame");
         let fresh = count(&frame, Noise::olympiad(entry.noise), entry.shot, 80);
         let stated = entry.counts;
         for (name, a, b) in [
@@ -72,7 +72,7 @@ fn the_documentation_has_the_counts_of_every_entry() {
     let page = include_str!("../../../docs/think.md");
     for entry in entries() {
         let name = find(TABLES, entry.table).expect("a table").name;
-        let start = format!("| {} | {name} | {} |", entry.rules.name(), entry.noise);
+        let start = format!("| {} | {name} | {} |", entry.game.name(), entry.noise);
         let row = page.lines().find(|line| line.starts_with(&start)).expect("a row");
         let counts = entry.counts;
         for count in [counts.any_fallen, counts.kept, counts.fouls, counts.game_ball] {
@@ -84,20 +84,20 @@ fn the_documentation_has_the_counts_of_every_entry() {
 
 #[test]
 fn the_found_break_keeps_the_turn_more_often_than_a_full_hit_from_the_middle() {
-    for rules in [Rules::EightBall, Rules::NineBall] {
-        let frame = new_frame(rules, None);
+    for game in [Game::EightBall, Game::NineBall] {
+        let frame = new_frame(game, None);
         let noise = Noise::olympiad(1.0);
         let (entry, _) = found(&frame, &noise).expect("an entry");
         let own = count(&frame, noise.clone(), entry.shot, 300);
         let center = count(&frame, noise.clone(), BreakShot::center(8.0), 300);
-        assert!(own.kept > center.kept + 20, "{}: {own:?} {center:?}", rules.name());
-        assert!(own.win > center.win, "{}: {own:?} {center:?}", rules.name());
+        assert!(own.kept > center.kept + 20, "{}: {own:?} {center:?}", game.name());
+        assert!(own.win > center.win, "{}: {own:?} {center:?}", game.name());
     }
 }
 
 #[test]
 fn a_search_finds_a_good_break_with_the_same_bits_for_any_number_of_threads() {
-    let frame = new_frame(Rules::NineBall, None);
+    let frame = new_frame(Game::NineBall, None);
     let noise = Noise::olympiad(1.0);
     let situation = Situation::new(&frame, noise.clone(), 3);
     let search = |threads| {
@@ -124,19 +124,19 @@ fn a_break_that_is_mostly_a_foul_is_below_the_others() {
 
 #[test]
 fn a_small_budget_plays_the_known_break_itself() {
-    for rules in Rules::ALL {
-        let frame = new_frame(rules, None);
+    for game in Game::ALL {
+        let frame = new_frame(game, None);
         let (entry, fit) = found(&frame, &Noise::olympiad(1.0)).expect("an entry");
         assert_eq!(fit, Fit::Same);
         let decision = decide(&frame, &Budget::simulations(20), SEARCHED);
         let own = entry.shot.play(&frame).expect("a play");
-        assert_eq!(decision.answer, Answer::Play(own), "{}", rules.name());
+        assert_eq!(decision.answer, Answer::Play(own), "{}", game.name());
     }
 }
 
 #[test]
 fn a_table_without_a_known_break_gets_one_by_search_and_the_rounds_repeat_it() {
-    let frame = new_frame(Rules::NineBall, Some("pool-worn-cloth"));
+    let frame = new_frame(Game::NineBall, Some("pool-worn-cloth"));
     let budget = |threads| Budget { runner: runner(threads), ..Budget::simulations(6000) };
     let decision = decide(&frame, &budget(1), SEARCHED);
     assert_eq!(decide(&frame, &budget(2), SEARCHED), decision);
@@ -157,7 +157,7 @@ fn a_table_without_a_known_break_gets_one_by_search_and_the_rounds_repeat_it() {
 fn a_break_that_suits_the_rack_keeps_the_speeds_of_the_search() {
     let mut differ = false;
     for seed in 0..6 {
-        let frame = new_frame(Rules::EightBall, None).with_seed(seed).expect("a rack");
+        let frame = new_frame(Game::EightBall, None).with_seed(seed).expect("a rack");
         let Answer::Play(play) = decide(&frame, &Budget::simulations(6000), SEARCHED).answer else {
             panic!("no play")
         };
@@ -172,7 +172,7 @@ fn a_break_that_suits_the_rack_keeps_the_speeds_of_the_search() {
 fn a_given_break_is_played_for_every_rack_and_an_impossible_one_is_refused() {
     let shot = BreakShot::center(8.0);
     for seed in 0..3 {
-        let frame = new_frame(Rules::EightBall, None).with_seed(seed).expect("a rack");
+        let frame = new_frame(Game::EightBall, None).with_seed(seed).expect("a rack");
         for choice in [BreakChoice::Given(shot), BreakChoice::Center] {
             for simulations in [300, 5000] {
                 let decision = decide(&frame, &Budget::simulations(simulations), choice);
@@ -191,7 +191,7 @@ fn a_given_break_is_played_for_every_rack_and_an_impossible_one_is_refused() {
     let settings =
         SearchSettings { break_shot: BreakChoice::Given(miscue), ..SearchSettings::default() };
     let mut player = Searcher::new("p", Box::new(Logistic), settings).expect("a player");
-    let frame = new_frame(Rules::EightBall, None);
+    let frame = new_frame(Game::EightBall, None);
     let situation = Situation::new(&frame, Noise::NONE, 0);
     let error = player.decide(&situation, &Budget::simulations(20)).expect_err("a miscue");
     assert!(error.to_string().starts_with("settings.break_shot.strike"), "{error}");
@@ -199,7 +199,7 @@ fn a_given_break_is_played_for_every_rack_and_an_impossible_one_is_refused() {
 
 #[test]
 fn a_frame_that_asks_for_no_opening_shot_is_refused() {
-    let mut frame = new_frame(Rules::EightBall, None);
+    let mut frame = new_frame(Game::EightBall, None);
     let places: Vec<_> = (0..16).map(|k| Some([0.1 + 0.07 * f64::from(k), 0.5])).collect();
     frame.resume_at(&places, 0).expect("a position");
     let situation = Situation::new(&frame, Noise::NONE, 0);

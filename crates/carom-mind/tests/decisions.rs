@@ -10,18 +10,18 @@ use carom_mind::search::PlayKind;
 use carom_mind::value::{Logistic, Markov};
 use carom_mind::{Answer, Budget, Decision, Player, SearchSettings, Searcher, Situation, Spent};
 use carom_plan::Prepared;
-use carom_rules::{Call, Frame, FrameSimulator, Options, Play, Request, Rules};
+use carom_rules::{Call, Frame, FrameSimulator, Game, Options, Play, Request};
 
 const FEW: u64 = 300;
 
-fn new_frame(rules: Rules, seed: u64) -> Frame {
+fn new_frame(game: Game, seed: u64) -> Frame {
     let options = Options { points: 3, patience: 40, ..Options::default() };
-    Frame::new(rules, options, None, None, seed).expect("a frame")
+    Frame::new(game, options, None, None, seed).expect("a frame")
 }
 
 /// An eight-ball frame in which seat 0 has the cue ball where it lies.
 fn eight_ball(places: &[(usize, [f64; 2])]) -> Frame {
-    let mut frame = new_frame(Rules::EightBall, 0);
+    let mut frame = new_frame(Game::EightBall, 0);
     let mut all = vec![None; frame.layout().len()];
     for (ball, place) in places {
         all[*ball] = Some(*place);
@@ -40,9 +40,9 @@ fn every_request_of_every_game_gets_an_answer_until_the_frame_is_over() {
     let mut player = Searcher::default();
     let noise = Noise::olympiad(1.0);
     let mut simulator = FrameSimulator::new();
-    for rules in Rules::ALL {
-        let mut frame = new_frame(rules, 3);
-        let most = if rules == Rules::Snooker { 60 } else { 400 };
+    for game in Game::ALL {
+        let mut frame = new_frame(game, 3);
+        let most = if game == Game::Snooker { 60 } else { 400 };
         for index in 0..most {
             if frame.is_over() {
                 break;
@@ -50,7 +50,7 @@ fn every_request_of_every_game_gets_an_answer_until_the_frame_is_over() {
             let situation = Situation::new(&frame, noise.clone(), index);
             let decision = player
                 .decide(&situation, &Budget::simulations(FEW))
-                .unwrap_or_else(|error| panic!("{}: {error}", rules.name()));
+                .unwrap_or_else(|error| panic!("{}: {error}", game.name()));
             match decision.answer {
                 Answer::Play(play) => {
                     let struck =
@@ -66,9 +66,9 @@ fn every_request_of_every_game_gets_an_answer_until_the_frame_is_over() {
                 }
             }
             let chance = decision.win_chance.expect("an estimate");
-            assert!((0.0..=1.0).contains(&chance), "{}: {chance}", rules.name());
+            assert!((0.0..=1.0).contains(&chance), "{}: {chance}", game.name());
         }
-        assert!(frame.is_over() || rules == Rules::Snooker, "{} did not end", rules.name());
+        assert!(frame.is_over() || game == Game::Snooker, "{} did not end", game.name());
     }
 }
 
@@ -128,7 +128,7 @@ fn an_easy_pot_is_played_and_called() {
 
 #[test]
 fn a_push_out_is_considered_when_the_rules_offer_it_only() {
-    let mut frame = new_frame(Rules::NineBall, 11);
+    let mut frame = new_frame(Game::NineBall, 11);
     let before = Searcher::default()
         .analyse(&Situation::new(&frame, Noise::olympiad(1.0), 0), &Budget::simulations(FEW), 40)
         .expect("plays");
@@ -137,7 +137,7 @@ fn a_push_out_is_considered_when_the_rules_offer_it_only() {
     let mut seed = 0;
     while !frame.turn().is_some_and(|turn| turn.calls.push_out) {
         seed += 1;
-        frame = new_frame(Rules::NineBall, seed);
+        frame = new_frame(Game::NineBall, seed);
         let decision = decide(&frame, Noise::olympiad(1.0), FEW);
         let Answer::Play(play) = decision.answer else { panic!("a break") };
         frame.play(&play).expect("a break");
@@ -167,7 +167,7 @@ fn stated_chances_come_from_errors_that_took_no_part_in_the_choice() {
 
 #[test]
 fn a_finished_frame_and_impossible_settings_are_refused_at_their_place() {
-    let mut frame = new_frame(Rules::EightBall, 0);
+    let mut frame = new_frame(Game::EightBall, 0);
     let wild = Noise { azimuth: -1.0, ..Noise::NONE };
     let refused = |frame: &Frame, noise| {
         let situation = Situation::new(frame, noise, 0);
@@ -206,7 +206,7 @@ fn a_player_with_another_value_of_positions_has_another_opinion() {
 #[test]
 fn the_search_finds_its_way_out_of_a_snooker() {
     // The nine hides behind the eight; the nine must be hit first off a cushion.
-    let mut frame = new_frame(Rules::NineBall, 0);
+    let mut frame = new_frame(Game::NineBall, 0);
     let mut all = vec![None; frame.layout().len()];
     all[0] = Some([0.3, 0.3]);
     all[9] = Some([0.6, 0.6]);
@@ -230,14 +230,14 @@ fn balls_of_a_shot_become_a_situation() {
         frame.shot(&play).expect("a shot")
     };
     assert!(shot.balls().iter().all(|PlacedBall { id, .. }| !id.is_empty()));
-    let again = Frame::of_shot(Rules::EightBall, Options::default(), &shot).expect("a frame");
+    let again = Frame::of_shot(Game::EightBall, Options::default(), &shot).expect("a frame");
     let decision = decide(&again, Noise::olympiad(1.0), FEW);
     assert!(matches!(decision.answer, Answer::Play(_)));
 }
 
 /// A frame of snooker after a foul: seat 1 chooses who plays on.
 fn after_a_foul() -> Frame {
-    let mut frame = new_frame(Rules::Snooker, 1);
+    let mut frame = new_frame(Game::Snooker, 1);
     let strike = Strike { speed: 1.0, azimuth: -1.5, elevation: 0.1, side: 0.0, height: 0.0 };
     frame.play(&Play { cue_ball: Some([0.889, 0.6]), ..Play::new(strike) }).expect("a foul");
     frame
@@ -275,7 +275,7 @@ fn the_position_after_each_choice_is_searched_within_the_budget() {
 #[test]
 fn a_listed_play_occurs_once_and_has_the_kind_of_what_it_does() {
     let frames = [(0.45, 0.75), (0.9, 1.9), (0.3, 1.3)].map(|(x, y)| {
-        let mut frame = new_frame(Rules::NineBall, 0);
+        let mut frame = new_frame(Game::NineBall, 0);
         let mut all = vec![None; frame.layout().len()];
         (all[0], all[7], all[9]) = (Some([x, y]), Some([0.8, 1.45]), Some([0.95, 0.5]));
         frame.resume_at(&all, 0).expect("a position");

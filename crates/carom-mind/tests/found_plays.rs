@@ -11,7 +11,7 @@ use carom_mind::search::PlayKind;
 use carom_mind::value::{Logistic, Position, Value};
 use carom_mind::{Answer, Budget, Player, Searcher, Situation};
 use carom_plan::{Prepared, Sampler};
-use carom_rules::{Frame, Options, Play, Rules};
+use carom_rules::{Frame, Game, Options, Play};
 
 /// Drawn errors by which a chosen play is judged.
 const DRAWN: u64 = 1000;
@@ -19,7 +19,7 @@ const DRAWN: u64 = 1000;
 /// Nine-ball on `table`, with these balls where they lie.
 fn nine_ball(table: Node, places: &[(usize, [f64; 2])]) -> Frame {
     let mut frame =
-        Frame::new(Rules::NineBall, Options::default(), Some(table), None, 0).expect("a frame");
+        Frame::new(Game::NineBall, Options::default(), Some(table), None, 0).expect("a frame");
     let mut all = vec![None; frame.layout().len()];
     places.iter().for_each(|(ball, place)| all[*ball] = Some(*place));
     frame.resume_at(&all, 0).expect("a position");

@@ -5,7 +5,7 @@ use carom_mind::line::LineKind;
 use carom_mind::search::PlayKind;
 use carom_mind::{Answer, Budget, Player, Recommendation, Searcher, Situation};
 use carom_plan::{Prepared, Sampler};
-use carom_rules::{Call, Frame, FrameSimulator, Options, Play, Request, Rules};
+use carom_rules::{Call, Frame, FrameSimulator, Game, Options, Play, Request};
 
 /// Frames of each game whose lists are checked, the shots of each, and the simulations of a list.
 const FRAMES: u64 = 2;
@@ -33,12 +33,12 @@ fn assert_name_is_true(before: &Frame, listed: &Recommendation) {
     let seat = before.player().expect("a turn");
     let keeps = is_legal && frame.keeps_turn(seat);
     let (kind, legs) = (listed.kind, &listed.legs);
-    let story = format!("{} {listed:?}: {outcome:?}", before.rules().name());
+    let story = format!("{} {listed:?}: {outcome:?}", before.game().name());
     match kind {
         PlayKind::Break | PlayKind::PushOut => return,
         PlayKind::Safety => {
             // Who practises alone keeps the turn whatever happens.
-            let keeps = keeps && before.rules() != Rules::Practice;
+            let keeps = keeps && before.game() != Game::Practice;
             return assert!(!keeps && listed.pot.is_none(), "{story}");
         }
         PlayKind::Carom => return assert!(keeps && listed.pot.is_none(), "{story}"),
@@ -68,10 +68,10 @@ fn the_name_of_a_listed_play_tells_what_its_strike_does_in_every_game() {
     let noise = Noise::olympiad(2.0);
     let mut simulator = FrameSimulator::new();
     let mut kinds = Vec::new();
-    for rules in Rules::ALL {
+    for game in Game::ALL {
         for seed in 0..FRAMES {
             let options = Options { points: 30, ..Options::default() };
-            let mut frame = Frame::new(rules, options, None, None, seed).expect("a frame");
+            let mut frame = Frame::new(game, options, None, None, seed).expect("a frame");
             for index in 0..SHOTS {
                 if !matches!(frame.request(), Request::Shot(_)) {
                     let situation = Situation::new(&frame, noise.clone(), index);
@@ -122,7 +122,7 @@ fn a_short_list_omits_no_play_that_is_better_than_one_of_its_own() {
     const MARGIN: f64 = 0.1;
     for places in OPEN {
         let mut frame =
-            Frame::new(Rules::EightBall, Options::default(), None, None, 0).expect("a frame");
+            Frame::new(Game::EightBall, Options::default(), None, None, 0).expect("a frame");
         let mut all = vec![None; frame.layout().len()];
         for (ball, place) in [0, 1, 2, 8, 9, 10].into_iter().zip(places) {
             all[ball] = Some(place);

@@ -21,7 +21,7 @@ use carom::noise::Errors;
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, Noise, Simulator};
 use carom_plan::{Prepared, Sampler};
-use carom_rules::{BallIndex, Call, Frame, Options, Play, Request, Rules, Turn};
+use carom_rules::{BallIndex, Call, Frame, Game, Options, Play, Request, Turn};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
@@ -163,9 +163,9 @@ struct Position {
 impl Position {
     /// The record of the frame, and the play as it is written there.
     fn node(&self) -> Node {
-        let mut setup = carom_rules::recorded_setup(Rules::EightBall, None, None);
+        let mut setup = carom_rules::recorded_setup(Game::EightBall, None, None);
         let Options { points, miss, patience } = *self.frame.options();
-        setup.set("game", Rules::EightBall.name());
+        setup.set("game", Game::EightBall.name());
         setup.set("seed", self.seed as f64);
         setup.set("points", f64::from(points));
         setup.set("miss", miss);
@@ -205,7 +205,7 @@ fn positions() -> Result<Vec<Position>, Error> {
     let mut dice = Dice(Pcg64::new(7, 3));
     let mut found = Vec::new();
     let (mut seed, mut moves) = (0, Vec::new());
-    let mut frame = Frame::new(Rules::EightBall, Options::default(), None, None, seed)?;
+    let mut frame = Frame::new(Game::EightBall, Options::default(), None, None, seed)?;
     while found.len() < POSITIONS {
         let is_new_rack = match *frame.request() {
             Request::Shot(turn) => {

@@ -1,9 +1,10 @@
 //! Breaks: many racks, each racked and struck a little differently.
 
 use carom::batch::{self, BatchResult, OFF_TABLE};
-use carom::rack::{Break, Game, break_shot};
+use carom::rack::{Break, break_shot};
 use carom::runner::Runner;
 use carom::{Error, Shot};
+use carom_rules::GameFacts;
 
 use crate::error_model::ErrorModel;
 use crate::progress::Progress;
@@ -94,7 +95,7 @@ pub fn breaks(
         return Err(Error::input("racks", what, format!("give 1 to {MOST_RACKS}")));
     }
     let columns = break_shot(opening)?;
-    if columns.table().pockets.is_empty() && opening.game != Game::ThreeCushion {
+    if columns.table().pockets.is_empty() && !GameFacts::of(opening.game).is_carom() {
         let what = format!("{} needs a table with pockets", opening.game.name());
         return Err(Error::input("table", what, "choose a table for this game, or leave it out"));
     }

@@ -9,10 +9,10 @@
 //! use carom::noise::Errors;
 //! use carom::resolve::cue_ball::Strike;
 //! use carom_plan::{Prepared, Sampler};
-//! use carom_rules::{Call, Frame, Options, Rules};
+//! use carom_rules::{Call, Frame, Options, Game};
 //!
 //! # fn main() -> Result<(), carom::Error> {
-//! let frame = Frame::new(Rules::NineBall, Options::default(), None, None, 7)?;
+//! let frame = Frame::new(Game::NineBall, Options::default(), None, None, 7)?;
 //! let prepared = Prepared::new(&frame, Some([0.635, 0.6]))?;
 //! let meant = Strike { speed: 8.0, azimuth: 1.57, elevation: 0.0, side: 0.0, height: 0.0 };
 //! let errors = Errors { noise: Noise::olympiad(1.0), seed: 5, ..Errors::default() };

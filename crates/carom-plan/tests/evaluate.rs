@@ -7,7 +7,7 @@ use carom::runner::Runner;
 use carom::{Noise, Shot};
 use carom_plan::evaluate::VARIANTS_PER_ROUND;
 use carom_plan::{ErrorModel, Evaluation, Progress, Question, Referee, Watched, evaluate};
-use carom_rules::{Call, Frame, Options, Play, Rules};
+use carom_rules::{Call, Frame, Game, Options, Play};
 
 fn shot(name: &str) -> Shot {
     let file = format!("{}/../../shots/{name}.json", env!("CARGO_MANIFEST_DIR"));
@@ -129,7 +129,7 @@ fn strikes_that_cannot_be_played_are_counted() {
 
 #[test]
 fn a_referee_counts_legal_variants_and_kept_turns() {
-    let frame = Frame::new(Rules::NineBall, Options::default(), None, None, 3).expect("a frame");
+    let frame = Frame::new(Game::NineBall, Options::default(), None, None, 3).expect("a frame");
     let size = frame.base().table().size;
     let strike = Strike {
         speed: 8.0,
@@ -154,7 +154,7 @@ fn a_referee_counts_legal_variants_and_kept_turns() {
 
 #[test]
 fn a_referee_does_not_change_the_counts() {
-    let frame = Frame::new(Rules::NineBall, Options::default(), None, None, 3).expect("a frame");
+    let frame = Frame::new(Game::NineBall, Options::default(), None, None, 3).expect("a frame");
     let place = [0.5 * frame.base().table().size.x, 0.5];
     let strike = Strike { speed: 8.0, azimuth: 1.57, elevation: 0.02, side: 0.0, height: 0.1 };
     let shot = frame.shot(&Play::new(strike).from(place)).expect("a break");

@@ -7,7 +7,7 @@ mod support;
 use carom::Noise;
 use carom::noise::{Errors, Perception};
 use carom_plan::{Prepared, Sampler};
-use carom_rules::{Frame, Rules};
+use carom_rules::{Frame, Game};
 
 use support::positions;
 
@@ -41,8 +41,8 @@ fn simulating_and_ruling_allocate_nothing_in_any_game() {
     let clinging = Noise { cling_probability: 0.1, ..Noise::olympiad(1.0) };
     let of_the_strike = Errors { noise: Noise::olympiad(1.0), seed: 1, ..Errors::default() };
     let all = Errors { noise: clinging, perception: Perception::round(0.002), seed: 2 };
-    for rules in Rules::ALL {
-        let positions = positions(rules, 8, SHOTS);
+    for game in Game::ALL {
+        let positions = positions(game, 8, SHOTS);
         let prepared: Vec<_> = positions
             .iter()
             .map(|(frame, play)| {
@@ -62,7 +62,7 @@ fn simulating_and_ruling_allocate_nothing_in_any_game() {
                     allocations(&mut sampler, &mut successor, one, errors)
                 })
                 .sum();
-            assert_eq!(again, 0, "{}", rules.name());
+            assert_eq!(again, 0, "{}", game.name());
         }
     }
 }

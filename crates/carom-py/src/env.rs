@@ -521,7 +521,7 @@ pub(crate) fn foul_words() -> Vec<&'static str> {
 /// The names of all tasks.
 #[pyfunction]
 pub(crate) fn tasks() -> Vec<&'static str> {
-    Task::ALL.into_iter().map(Task::name).collect()
+    Task::all().into_iter().map(Task::name).collect()
 }
 
 /// The names of the numbers of an action, of a ball's features, and of the other features.

@@ -46,11 +46,13 @@ mod _core {
     #[pymodule_export]
     use crate::player::{Player, players};
     #[pymodule_export]
-    use crate::reference::{break_presets, break_shot, games, physics, repaired, schema, tables};
+    use crate::reference::{
+        break_presets, break_shot, game_facts, physics, repaired, schema, tables,
+    };
     #[pymodule_export]
     use crate::rolling::rolling_bands;
     #[pymodule_export]
-    use crate::rules::{Frame, check_record, rule_sets};
+    use crate::rules::{Frame, check_record};
     #[pymodule_export]
     use crate::shot::{Shot, check_part};
     #[pymodule_export]

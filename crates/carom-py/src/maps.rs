@@ -129,7 +129,7 @@ pub(crate) fn break_statistics<'py>(
     threads: usize,
     report: Py<PyAny>,
 ) -> PyResult<(Arrays<'py>, Bound<'py, PyDict>)> {
-    let game = Game::parse(game).map_err(|e| to_exception(py, &e))?;
+    let game = Game::read(game).map_err(|e| to_exception(py, &e))?;
     let model = sampling.model();
     let usual =
         Break::named(game, preset.as_deref(), model.seed).map_err(|e| to_exception(py, &e))?;

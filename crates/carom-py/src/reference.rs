@@ -3,6 +3,7 @@
 use carom::format::Node;
 use carom::rack::{Break, Game, break_shot as open};
 use carom::{Table, edition};
+use carom_rules::GameFacts;
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
@@ -23,10 +24,10 @@ pub(crate) fn tables(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     to_python(py, &Node::List(presets.map(|table| table.to_node()).collect()))
 }
 
-/// The names of the games that can be racked.
+/// The facts of every game.
 #[pyfunction]
-pub(crate) fn games() -> Vec<&'static str> {
-    Game::ALL.iter().map(|game| game.name()).collect()
+pub(crate) fn game_facts(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    to_python(py, &Node::list(Game::ALL.map(|game| GameFacts::of(game).to_node())))
 }
 
 /// Every break preset with its values and their sources.
@@ -62,7 +63,7 @@ pub(crate) fn break_shot(
     seed: u64,
     gap: Option<f64>,
 ) -> PyResult<Shot> {
-    let game = Game::parse(game).map_err(|e| to_exception(py, &e))?;
+    let game = Game::read(game).map_err(|e| to_exception(py, &e))?;
     let usual = Break::named(game, preset, seed).map_err(|e| to_exception(py, &e))?;
     let (speed, gap) = (speed.or(usual.speed), gap.unwrap_or(usual.gap));
     let opening = Break { table, speed, gap, ..usual };

@@ -6,7 +6,7 @@ use carom::Error;
 use carom::format::Node;
 use carom::shot::{Cling, StrikePolicy};
 use carom_mind::Answer;
-use carom_rules::{Choice, ErrorSeeds, Options, Play, Rules, Ruling};
+use carom_rules::{Choice, ErrorSeeds, Game, Options, Play, Ruling};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
@@ -165,9 +165,9 @@ impl Frame {
     ) -> PyResult<Self> {
         let py = table.py();
         let (points, miss, patience) = options;
-        let rules = Rules::read(game).map_err(|e| to_exception(py, &e))?;
+        let game = Game::read(game).map_err(|e| to_exception(py, &e))?;
         let options = Options { points, miss, patience };
-        carom_rules::Frame::new(rules, options, optional(table)?, optional(physics)?, seed)
+        carom_rules::Frame::new(game, options, optional(table)?, optional(physics)?, seed)
             .map(Self::from)
             .map_err(|e| to_exception(py, &e))
     }
@@ -180,8 +180,8 @@ impl Frame {
         physics: &Bound<'py, PyAny>,
     ) -> PyResult<Bound<'py, PyAny>> {
         let py = table.py();
-        let rules = Rules::read(game).map_err(|e| to_exception(py, &e))?;
-        let setup = carom_rules::recorded_setup(rules, optional(table)?, optional(physics)?);
+        let game = Game::read(game).map_err(|e| to_exception(py, &e))?;
+        let setup = carom_rules::recorded_setup(game, optional(table)?, optional(physics)?);
         to_python(py, &setup)
     }
 
@@ -195,8 +195,8 @@ impl Frame {
     ) -> PyResult<Self> {
         let (points, miss, patience) = options;
         let options = Options { points, miss, patience };
-        let frame = Rules::read(game)
-            .and_then(|rules| carom_rules::Frame::of_shot(rules, options, &shot.0));
+        let frame =
+            Game::read(game).and_then(|game| carom_rules::Frame::of_shot(game, options, &shot.0));
         frame.map(Self::from).map_err(|e| to_exception(py, &e))
     }
 
@@ -269,10 +269,4 @@ impl Frame {
     fn hash(&self) -> String {
         format!("{:016x}", self.with(|frame| frame.hash()))
     }
-}
-
-/// The names of all rule sets.
-#[pyfunction]
-pub(crate) fn rule_sets() -> Vec<&'static str> {
-    Rules::ALL.into_iter().map(Rules::name).collect()
 }

@@ -3,9 +3,6 @@
 use core::fmt::Write;
 
 use crate::frame::Frame;
-use crate::games::GameState;
-use crate::games::eight_ball::Group;
-use crate::games::snooker::On;
 use crate::layout::BallIndex;
 use crate::request::{Calls, Request, Turn};
 
@@ -28,43 +25,20 @@ impl Frame {
     fn heading(&self) -> String {
         let [one, other] = self.scores();
         let [first, second] = self.fouls_in_a_row();
-        let mut line = format!("Game: {}. Score: {one} to {other}.", self.rules().name());
+        let mut line = format!("Game: {}. Score: {one} to {other}.", self.game().name());
         if (first, second) != (0, 0) {
             let _ = write!(line, " Fouls in a row: player 0 {first}, player 1 {second}.");
         }
         line
     }
 
-    /// What only this game has.
+    /// What only this game has, and the points that win.
     fn state_line(&self) -> String {
-        match self.game_state() {
-            GameState::EightBall(game) => match game.group(0) {
-                None => "The table is open.".into(),
-                Some(Group::Solids) => "Player 0 has 1 to 7, player 1 has 9 to 15.".into(),
-                Some(Group::Stripes) => "Player 0 has 9 to 15, player 1 has 1 to 7.".into(),
-            },
-            GameState::Snooker(game) => {
-                let on = match game.on() {
-                    _ if game.has_free_ball() => "a free ball",
-                    On::Red => "a red",
-                    On::Color => "a colour",
-                    On::Sequence => "the colours in order",
-                };
-                let left = game.points_left(self.layout());
-                let made = game.break_points();
-                format!("On: {on}. Break: {made} points. Left on the table: {left} points.")
-            }
-            GameState::StraightPool(_) => self.target(),
-            GameState::ThreeCushion(game) => {
-                let [one, other] = game.innings();
-                format!("Innings: player 0 {one}, player 1 {other}. {}", self.target())
-            }
-            GameState::Rotation(_) | GameState::Practice(_) => String::new(),
-        }
-    }
-
-    fn target(&self) -> String {
-        format!("{} points win.", self.options().points)
+        let own = self.game_state().rules().describe(self.layout());
+        let target = self.facts().has_target();
+        let target = target.then(|| format!("{} points win.", self.options().points));
+        let parts = [own, target].into_iter().flatten();
+        parts.collect::<Vec<_>>().join(" ")
     }
 
     fn table_lines(&self) -> String {

@@ -89,10 +89,10 @@ mod tests {
     use carom::resolve::cue_ball::Strike;
     use carom::{Noise, Shot};
 
-    use crate::{Frame, Options, Play, Rules};
+    use crate::{Frame, Game, Options, Play};
 
     fn frame() -> Frame {
-        Frame::new(Rules::NineBall, Options::default(), None, None, 3).unwrap()
+        Frame::new(Game::NineBall, Options::default(), None, None, 3).unwrap()
     }
 
     fn prepared(strike: Strike) -> Shot {

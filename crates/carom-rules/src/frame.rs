@@ -11,19 +11,23 @@ mod stalemate;
 use std::sync::Arc;
 
 use carom::format::Node;
+use carom::rack::Game;
 use carom::{Error, Shot};
 
 use crate::games::GameState;
-use crate::layout::FrameLayout;
+use crate::games::eight_ball::Group;
+use crate::games::snooker::On;
+use crate::games::{GameFacts, Stalemate};
+use crate::layout::{BallIndex, FrameLayout};
+use crate::options::Options;
 use crate::request::{Choice, Request, Turn};
-use crate::rules::{Options, Rules};
 use crate::ruling::Ruling;
 use crate::seat::{self, Seat};
 use crate::state::FrameState;
 
 pub use prepared::Prepared;
 pub use simulator::FrameSimulator;
-use stalemate::{Stalemate, StalemateCounter};
+use stalemate::StalemateCounter;
 
 /// A place inside every table (file frame, m), for the only ball of the base shot.
 const INSIDE: [f64; 2] = [0.25, 0.25];
@@ -31,7 +35,7 @@ const INSIDE: [f64; 2] = [0.25, 0.25];
 /// One rack, frame or match of a game between two players. [`Clone::clone_from`] allocates nothing.
 #[derive(Debug)]
 pub struct Frame {
-    rules: Rules,
+    game: Game,
     game_state: GameState,
     state: FrameState,
     request: Request,
@@ -45,9 +49,9 @@ impl Clone for Frame {
     }
 
     fn clone_from(&mut self, source: &Self) {
-        let Self { rules, game_state, state, request, stalemates, shots } = self;
+        let Self { game, game_state, state, request, stalemates, shots } = self;
         state.clone_from(&source.state);
-        (*rules, *game_state, *request) = (source.rules, source.game_state, source.request);
+        (*game, *game_state, *request) = (source.game, source.game_state, source.request);
         (*stalemates, *shots) = (source.stalemates, source.shots);
     }
 }
@@ -61,18 +65,18 @@ impl Frame {
     /// [`Error::Input`] for a table or physics that a shot file could not have, for a table on
     /// which the game cannot be played, and for options out of range.
     pub fn new(
-        rules: Rules,
+        game: Game,
         options: Options,
         table: Option<Node>,
         physics: Option<Node>,
         seed: u64,
     ) -> Result<Self, Error> {
         options.check()?;
-        let base = Arc::new(base(rules, table, physics)?);
+        let base = Arc::new(base(game, table, physics)?);
         let refuse = |what: &str, remedy| {
-            Err(Error::input("table", format!("{} {what}", rules.name()), remedy))
+            Err(Error::input("table", format!("{} {what}", game.name()), remedy))
         };
-        match (rules.needs_pockets(), base.table().pockets.is_empty()) {
+        match (!GameFacts::of(game).is_carom(), base.table().pockets.is_empty()) {
             (true, true) => refuse(
                 "is played on a table with pockets",
                 "choose a table with pockets, or three-cushion",
@@ -83,7 +87,7 @@ impl Frame {
             )?,
             _ => {}
         }
-        let frame = Self::on_table(rules, options, base, seed)?;
+        let frame = Self::on_table(game, options, base, seed)?;
         if frame.base().with_balls(frame.layout().placed(), None).is_err() {
             refuse(
                 "has a rack that does not fit on it",
@@ -99,15 +103,15 @@ impl Frame {
     /// # Errors
     /// None if [`Self::new`] had none.
     pub fn with_seed(&self, seed: u64) -> Result<Self, Error> {
-        Self::on_table(self.rules, self.state.options, self.state.base.clone(), seed)
+        Self::on_table(self.game, self.state.options, self.state.base.clone(), seed)
     }
 
-    fn on_table(rules: Rules, options: Options, base: Arc<Shot>, seed: u64) -> Result<Self, Error> {
-        let mut state = FrameState::new(rules, options, base, seed)?;
-        let mut game_state = GameState::new(rules);
+    fn on_table(game: Game, options: Options, base: Arc<Shot>, seed: u64) -> Result<Self, Error> {
+        let mut state = FrameState::new(game, options, base, seed)?;
+        let mut game_state = (GameFacts::of(game).state)();
         let request = game_state.rules_mut().start(&mut state, 0);
         let stalemates = StalemateCounter::new(&state);
-        Ok(Self { rules, game_state, state, request, stalemates, shots: [0; 2] })
+        Ok(Self { game, game_state, state, request, stalemates, shots: [0; 2] })
     }
 
     /// The same frame, in which every shot has this cap on its number of events.
@@ -139,9 +143,29 @@ impl Frame {
         Ok(seen)
     }
 
-    /// The game's rules.
-    pub const fn rules(&self) -> Rules {
-        self.rules
+    /// The game.
+    pub const fn game(&self) -> Game {
+        self.game
+    }
+
+    /// The facts of the game.
+    pub const fn facts(&self) -> &'static GameFacts {
+        GameFacts::of(self.game)
+    }
+
+    /// The group of `seat`; none while the table is open, for a seat other than 0 and 1, and in games without groups.
+    pub fn group(&self, seat: Seat) -> Option<Group> {
+        self.game_state.rules().group(seat)
+    }
+
+    /// The kind of ball that is on in snooker; none in other games.
+    pub fn kind_on(&self) -> Option<On> {
+        self.game_state.rules().kind_on()
+    }
+
+    /// Points for `ball` in snooker: 1 for a red, 2 to 7 for a colour; 0 for the cue ball and in other games.
+    pub fn value(&self, ball: BallIndex) -> i32 {
+        self.game_state.rules().value(ball)
     }
 
     /// The options that were agreed before the start.
@@ -300,8 +324,10 @@ impl Frame {
             *score += points;
         }
         if !self.is_over() {
-            match self.stalemates.update(self.rules, &self.state, shots) {
-                Some(Stalemate::Rerack) => self.rerack(),
+            match self.stalemates.update(self.facts(), &self.state, shots) {
+                Some(stalemate @ (Stalemate::Rerack | Stalemate::Restart)) => {
+                    self.rerack(stalemate)
+                }
                 Some(Stalemate::End) => {
                     let why = "a stalemate: there was no progress";
                     self.request = Request::Over { winner: None, why };
@@ -313,16 +339,16 @@ impl Frame {
     }
 
     /// Starts again after a stalemate: the balls are racked, and the first breaker breaks.
-    fn rerack(&mut self) {
+    fn rerack(&mut self, stalemate: Stalemate) {
         self.state.rack();
         self.state.fouls = [0; 2];
-        if self.rules.is_nullified_by_stalemate() {
+        if stalemate == Stalemate::Restart {
             let FrameState { scores, ruling, .. } = &mut self.state;
             ruling.points = [0, 1].map(|seat| ruling.points[seat] - scores[seat]);
             *scores = [0; 2];
         }
         self.stalemates.restart(&self.state);
-        self.game_state = GameState::new(self.rules);
+        self.game_state = (self.facts().state)();
         self.request = self.game_state.rules_mut().start(&mut self.state, 0);
     }
 }
@@ -330,12 +356,12 @@ impl Frame {
 /// `table` and `physics` of a new frame as a record keeps them: the game's own table is named, and
 /// presets have their dated names, so that the record replays when the presets have other values.
 /// Without `physics` if the table's name implies it.
-pub fn recorded_setup(rules: Rules, table: Option<Node>, physics: Option<Node>) -> Node {
-    carom::format::with_dated_names(&setup(rules, table, physics))
+pub fn recorded_setup(game: Game, table: Option<Node>, physics: Option<Node>) -> Node {
+    carom::format::with_dated_names(&setup(game, table, physics))
 }
 
-fn setup(rules: Rules, table: Option<Node>, physics: Option<Node>) -> Node {
-    let table = table.unwrap_or_else(|| rules.rack().table().into());
+fn setup(game: Game, table: Option<Node>, physics: Option<Node>) -> Node {
+    let table = table.unwrap_or_else(|| game.table().into());
     let mut file = Node::object([("table", table)]);
     if let Some(physics) = physics {
         file.set("physics", physics);
@@ -344,8 +370,8 @@ fn setup(rules: Rules, table: Option<Node>, physics: Option<Node>) -> Node {
 }
 
 /// A shot of one resting ball on the game's table.
-fn base(rules: Rules, table: Option<Node>, physics: Option<Node>) -> Result<Shot, Error> {
-    let mut file = setup(rules, table, physics);
+fn base(game: Game, table: Option<Node>, physics: Option<Node>) -> Result<Shot, Error> {
+    let mut file = setup(game, table, physics);
     file.set("format", carom::format::SHOT_FORMAT);
     let ball = Node::object([("id", "cue".into()), ("position", INSIDE.into())]);
     file.set("balls", Node::list([ball]));

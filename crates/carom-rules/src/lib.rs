@@ -9,10 +9,10 @@
 //!
 //! ```
 //! use carom::resolve::cue_ball::Strike;
-//! use carom_rules::{Frame, Options, Play, Request, Rules};
+//! use carom_rules::{Frame, Options, Play, Request, Game};
 //!
 //! # fn main() -> Result<(), carom::Error> {
-//! let mut frame = Frame::new(Rules::NineBall, Options::default(), None, None, 7)?;
+//! let mut frame = Frame::new(Game::NineBall, Options::default(), None, None, 7)?;
 //! let azimuth = std::f64::consts::FRAC_PI_2;
 //! let strike = Strike { speed: 8.0, azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
 //! let (ruling, outcome) =
@@ -23,7 +23,7 @@
 //! # }
 //! ```
 //!
-//! Each game is a file of [`games`]. [`Rules::rule`] gives the rule that forbids a foul; the
+//! Each game is a file of [`games`], with its [`GameFacts`]. [`GameFacts::rule`] gives the rule that forbids a foul; the
 //! documentation's page "Rules of the games" lists the rule books.
 
 mod answer;
@@ -33,13 +33,13 @@ mod frame;
 pub mod games;
 mod layout;
 mod markings;
+mod options;
 mod play;
 mod record;
 mod referee;
 mod region;
 mod report;
 mod request;
-mod rules;
 mod ruling;
 #[cfg(test)]
 mod scenarios;
@@ -49,14 +49,17 @@ mod state;
 mod state_bytes;
 
 pub use answer::play_schema;
+pub use carom::rack::Game;
 pub use execution::{ErrorDraw, ErrorSeeds, execute};
 pub use frame::{Frame, FrameSimulator, Prepared, recorded_setup};
+pub use games::{GameFacts, Objective, Opening, OpeningKind, RandomStart, Scoring, Stalemate};
 pub use layout::{BallIndex, BallList, FrameBall, FrameLayout, MOST_BALLS};
+pub use options::Options;
 pub use play::{Call, Play, through_degrees};
 pub use record::{FRAME_FORMAT, check_record};
 pub use region::Region;
 pub use request::{Calls, Choice, Choices, Request, Turn};
-pub use rules::{Options, Rules};
+
 pub use ruling::{Foul, Fouls, Ruling};
 pub use seat::Seat;
 pub use short_list::ShortList;

@@ -18,7 +18,7 @@ impl Frame {
             Some((self.id(ball).to_owned(), Node::from(self.layout().place(ball)?)))
         });
         Node::object([
-            ("game", self.rules().name().into()),
+            ("game", self.game().name().into()),
             ("request", self.request_node()),
             ("scores", Node::list(self.scores().map(i64::from))),
             ("fouls_in_a_row", Node::list(self.fouls_in_a_row().map(i64::from))),
@@ -31,7 +31,7 @@ impl Frame {
     /// A ruling of this frame.
     pub fn ruling_node(&self, ruling: &Ruling) -> Node {
         let fouls = ruling.fouls.iter().map(|foul| {
-            Node::object([("what", foul.words().into()), ("rule", self.rules().rule(foul).into())])
+            Node::object([("what", foul.words().into()), ("rule", self.facts().rule(foul).into())])
         });
         Node::object([
             ("legal", ruling.is_legal().into()),

@@ -2,10 +2,11 @@
 
 use std::sync::Arc;
 
+use carom::rack::Game;
 use carom::{Error, Shot};
 
 use crate::layout::FrameLayout;
-use crate::rules::{Options, Rules};
+use crate::options::Options;
 use crate::ruling::Ruling;
 use crate::state_bytes::StateBytes;
 
@@ -24,7 +25,7 @@ pub(crate) struct FrameState {
     pub(crate) fouls: [u32; 2],
     /// The ruling on the current shot or choice.
     pub(crate) ruling: Ruling,
-    rules: Rules,
+    game: Game,
     seed: u64,
     seeds_drawn: u64,
 }
@@ -41,8 +42,8 @@ impl Clone for FrameState {
             base.clone_from(&source.base);
         }
         layout.clone_from(&source.layout);
-        let Self { options, scores, fouls, ruling, rules, seed, seeds_drawn, .. } = self;
-        (*options, *rules) = (source.options, source.rules);
+        let Self { options, scores, fouls, ruling, game, seed, seeds_drawn, .. } = self;
+        (*options, *game) = (source.options, source.game);
         (*scores, *fouls, *ruling) = (source.scores, source.fouls, source.ruling);
         (*seed, *seeds_drawn) = (source.seed, source.seeds_drawn);
     }
@@ -50,14 +51,14 @@ impl Clone for FrameState {
 
 impl FrameState {
     pub(crate) fn new(
-        rules: Rules,
+        game: Game,
         options: Options,
         base: Arc<Shot>,
         seed: u64,
     ) -> Result<Self, Error> {
-        let layout = FrameLayout::rack(rules.rack(), &base, seed)?;
+        let layout = FrameLayout::rack(game, &base, seed)?;
         let (scores, fouls, ruling) = ([0; 2], [0; 2], Ruling::default());
-        Ok(Self { options, base, layout, scores, fouls, ruling, rules, seed, seeds_drawn: 0 })
+        Ok(Self { options, base, layout, scores, fouls, ruling, game, seed, seeds_drawn: 0 })
     }
 
     /// Appends everything that changes during a frame, and the options.
@@ -103,8 +104,7 @@ impl FrameState {
     pub(crate) fn fresh_rack(&mut self) -> FrameLayout {
         let seed = self.next_seed();
         // The frame began with this rack on this table, so racking cannot fail.
-        FrameLayout::rack(self.rules.rack(), &self.base, seed)
-            .unwrap_or_else(|_| self.layout.clone())
+        FrameLayout::rack(self.game, &self.base, seed).unwrap_or_else(|_| self.layout.clone())
     }
 
     /// The next seed of the frame's own sequence.

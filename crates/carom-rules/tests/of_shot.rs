@@ -1,7 +1,7 @@
 //! Frames that continue with the balls of a shot.
 
 use carom::Shot;
-use carom_rules::{Choice, Frame, Options, Request, Rules};
+use carom_rules::{Choice, Frame, Game, Options, Request};
 
 fn shot(balls: &str) -> Shot {
     let text =
@@ -16,7 +16,7 @@ fn the_balls_are_where_the_shot_has_them_and_the_others_are_down() {
     let shot = shot(&format!(
         r#"{{"id": "9", "position": [0.3, 1.5]}}, {CUE}, {{"id": "4", "position": [0.7, 0.4]}}"#
     ));
-    let frame = Frame::of_shot(Rules::NineBall, Options::default(), &shot).expect("a frame");
+    let frame = Frame::of_shot(Game::NineBall, Options::default(), &shot).expect("a frame");
     let layout = frame.layout();
     for (ball, frame_ball) in (0..).zip(layout.balls()) {
         let lies = shot.ball_index(&frame_ball.id).map(|i| shot.balls()[i].state.position);
@@ -41,7 +41,7 @@ fn balls_that_the_game_cannot_have_are_refused() {
         (r#"{"id": "8", "position": [0.3, 1.5]}"#, "places: "),
     ] {
         let shot = shot(&format!("{CUE}, {more}"));
-        let refused = Frame::of_shot(Rules::NineBall, Options::default(), &shot);
+        let refused = Frame::of_shot(Game::NineBall, Options::default(), &shot);
         let error = refused.expect_err("it is refused").to_string();
         assert!(error.starts_with(place), "{error}");
     }
@@ -49,7 +49,7 @@ fn balls_that_the_game_cannot_have_are_refused() {
 
 #[test]
 fn a_frame_that_is_seen_elsewhere_has_the_same_request_and_other_places() {
-    let frame = Frame::new(Rules::EightBall, Options::default(), None, None, 1).expect("a rack");
+    let frame = Frame::new(Game::EightBall, Options::default(), None, None, 1).expect("a rack");
     let mut places: Vec<_> = (0..).take(16).map(|ball| frame.layout().place(ball)).collect();
     places[3] = Some([0.2, 0.3]);
     let seen = frame.seen_at(&places).expect("the same balls");
@@ -66,7 +66,7 @@ fn a_frame_that_is_seen_elsewhere_has_the_same_request_and_other_places() {
 
 #[test]
 fn a_cap_of_events_stays_in_the_following_shots_and_racks() {
-    let frame = Frame::new(Rules::NineBall, Options::default(), None, None, 1).expect("a rack");
+    let frame = Frame::new(Game::NineBall, Options::default(), None, None, 1).expect("a rack");
     let capped = frame.with_max_events(7).with_seed(2).expect("a rack");
     assert_eq!((capped.base().max_events(), capped.options().patience), (7, 100));
 }
@@ -79,7 +79,7 @@ fn on_carom_table(yellow: [f64; 2]) -> Frame {
         yellow[0], yellow[1]
     );
     let shot = Shot::from_json(&text).expect("a shot");
-    Frame::of_shot(Rules::ThreeCushion, Options::default(), &shot).expect("a frame")
+    Frame::of_shot(Game::ThreeCushion, Options::default(), &shot).expect("a frame")
 }
 
 /// Seen: a frame that began with the cue ball frozen to a ball asked for a shot. Right: the player may

@@ -4,7 +4,7 @@ use carom::math::{Vec2, atan2};
 use carom::outcome::{Outcome, Touched};
 use carom::resolve::cue_ball::Strike;
 use carom_rules::{
-    BallIndex, Call, Choice, Frame, FrameSimulator, Options, Play, Prepared, Request, Rules, Seat,
+    BallIndex, Call, Choice, Frame, FrameSimulator, Game, Options, Play, Prepared, Request, Seat,
     Turn,
 };
 use rand_pcg::Pcg64;
@@ -145,28 +145,28 @@ fn check(frame: &Frame, from: &Frame) {
 }
 
 /// Checks that a shot of `player` may score these points.
-fn check_points(rules: Rules, player: Seat, points: [i32; 2], legal: bool) {
+fn check_points(game: Game, player: Seat, points: [i32; 2], legal: bool) {
     let [mine, others] = [points[player], points[1 - player]];
-    match rules {
-        Rules::EightBall | Rules::NineBall | Rules::TenBall => assert_eq!(points, [0, 0]),
-        Rules::StraightPool => assert!(others == 0 && (legal == (mine >= 0))),
-        Rules::Snooker if legal => assert!(others == 0 && (0..=15).contains(&mine)),
-        Rules::Snooker => assert!(mine == 0 && (4..=7).contains(&others)),
-        Rules::ThreeCushion => assert!(others == 0 && (0..=1).contains(&mine)),
-        Rules::Practice => assert!(others == 0 && mine >= 0 && legal),
+    match game {
+        Game::EightBall | Game::NineBall | Game::TenBall => assert_eq!(points, [0, 0]),
+        Game::StraightPool => assert!(others == 0 && (legal == (mine >= 0))),
+        Game::Snooker if legal => assert!(others == 0 && (0..=15).contains(&mine)),
+        Game::Snooker => assert!(mine == 0 && (4..=7).contains(&others)),
+        Game::ThreeCushion => assert!(others == 0 && (0..=1).contains(&mine)),
+        Game::Practice => assert!(others == 0 && mine >= 0 && legal),
     }
 }
 
 /// Plays the frames of one shard.
-fn play_frames(rules: Rules, shard: u64) {
+fn play_frames(game: Game, shard: u64) {
     let mut simulator = FrameSimulator::new();
     // 20 points need a second rack of straight pool; random caroms are rare, so 3 must do.
-    let points = if rules == Rules::ThreeCushion { 3 } else { 20 };
+    let points = if game == Game::ThreeCushion { 3 } else { 20 };
     let options = Options { points, ..Options::default() };
     let mut decided = 0;
     for seed in (0..frames()).filter(|seed| seed % SHARDS == shard) {
         let mut dice = Dice::new(seed);
-        let mut frame = Frame::new(rules, options, None, None, seed).expect("the game's own table");
+        let mut frame = Frame::new(game, options, None, None, seed).expect("the game's own table");
         let mut shots = 0;
         while !frame.is_over() {
             let before = frame.clone();
@@ -176,7 +176,7 @@ fn play_frames(rules: Rules, shard: u64) {
                     match frame.play_in(&mut simulator, &play) {
                         Ok((ruling, _)) => {
                             if !ruling.racked {
-                                check_points(rules, turn.player, ruling.points, ruling.is_legal());
+                                check_points(game, turn.player, ruling.points, ruling.is_legal());
                             }
                             let gained = [0, 1].map(|p| frame.scores()[p] - before.scores()[p]);
                             assert_eq!(gained, ruling.points);
@@ -195,50 +195,50 @@ fn play_frames(rules: Rules, shard: u64) {
                 Request::Over { .. } => unreachable!(),
             }
             check(&frame, &before);
-            assert!(shots < 10_000, "{} with seed {seed} does not end", rules.name());
+            assert!(shots < 10_000, "{} with seed {seed} does not end", game.name());
         }
         decided += u64::from(matches!(frame.request(), Request::Over { winner: Some(_), .. }));
         assert!(frame.turn().is_none() && frame.player().is_none());
     }
-    println!("{}, shard {shard}: {decided} frames decided", rules.name());
+    println!("{}, shard {shard}: {decided} frames decided", game.name());
 }
 
 macro_rules! games {
-    ($($game:ident: $rules:expr;)*) => { $(
-        mod $game {
-            use super::{Rules, play_frames};
+    ($($name:ident: $game:expr;)*) => { $(
+        mod $name {
+            use super::{Game, play_frames};
 
             #[test]
             fn random_frames_end_shard_0() {
-                play_frames($rules, 0);
+                play_frames($game, 0);
             }
 
             #[test]
             fn random_frames_end_shard_1() {
-                play_frames($rules, 1);
+                play_frames($game, 1);
             }
 
             #[test]
             fn random_frames_end_shard_2() {
-                play_frames($rules, 2);
+                play_frames($game, 2);
             }
 
             #[test]
             fn random_frames_end_shard_3() {
-                play_frames($rules, 3);
+                play_frames($game, 3);
             }
         }
     )* };
 }
 
 games! {
-    eight_ball: Rules::EightBall;
-    nine_ball: Rules::NineBall;
-    ten_ball: Rules::TenBall;
-    straight_pool: Rules::StraightPool;
-    snooker: Rules::Snooker;
-    three_cushion: Rules::ThreeCushion;
-    practice: Rules::Practice;
+    eight_ball: Game::EightBall;
+    nine_ball: Game::NineBall;
+    ten_ball: Game::TenBall;
+    straight_pool: Game::StraightPool;
+    snooker: Game::Snooker;
+    three_cushion: Game::ThreeCushion;
+    practice: Game::Practice;
 }
 
 /// The outcome of a trace whose ball `k` is ball `balls[k]` of the frame, if the cue ball was not in
@@ -276,9 +276,9 @@ fn of_frame(traced: &Outcome, turn: &Turn, balls: &[BallIndex]) -> Outcome {
 
 #[test]
 fn the_ruling_on_a_trace_equals_the_ruling_on_its_shot() {
-    for rules in Rules::ALL {
+    for game in Game::ALL {
         let mut dice = Dice::new(5);
-        let mut frame = Frame::new(rules, Options::default(), None, None, 5).expect("a rack");
+        let mut frame = Frame::new(game, Options::default(), None, None, 5).expect("a rack");
         for _ in 0..20 {
             match *frame.request() {
                 Request::Shot(turn) => {
@@ -304,8 +304,8 @@ fn the_ruling_on_a_trace_equals_the_ruling_on_its_shot() {
 
 #[test]
 fn a_frame_continues_from_given_places() {
-    let frame = |rules| Frame::new(rules, Options::default(), None, None, 3).expect("a rack");
-    let mut middle = frame(Rules::NineBall);
+    let frame = |game| Frame::new(game, Options::default(), None, None, 3).expect("a rack");
+    let mut middle = frame(Game::NineBall);
     let mut places = vec![None; 10];
     for (ball, y) in [(0, 0.5), (4, 1.0), (9, 1.5)] {
         places[ball] = Some([0.4, y]);
@@ -315,7 +315,7 @@ fn a_frame_continues_from_given_places() {
     assert_eq!((turn.player, turn.hand, &turn.on[..]), (1, None, &[4][..]));
     assert_eq!(
         middle.with_seed(3).expect("the same rack").layout(),
-        frame(Rules::NineBall).layout()
+        frame(Game::NineBall).layout()
     );
     // Straight up the table at the 4.
     let up = |speed| {
@@ -326,7 +326,7 @@ fn a_frame_continues_from_given_places() {
     let mut simulator = FrameSimulator::new();
     let straight = carom_rules::through_degrees(&up(3.0).strike);
     simulator.simulate(&prepared, &straight).expect("it can be played");
-    let mut successor = frame(Rules::Snooker);
+    let mut successor = frame(Game::Snooker);
     let ruling = simulator.rule(&prepared, Call::Nothing, &mut successor).expect("no call");
     let mut same = middle.clone();
     let (expected, outcome) = same.play(&up(3.0)).expect("it can be played");
@@ -337,7 +337,7 @@ fn a_frame_continues_from_given_places() {
     nine_down[9] = None;
     assert!(same.resume_at(&nine_down, 0).is_err());
     assert!(same.resume_at(&places[..9], 0).is_err());
-    assert!(frame(Rules::Snooker).resume_at(&places, 0).is_err());
+    assert!(frame(Game::Snooker).resume_at(&places, 0).is_err());
 }
 
 /// The balls on at an open table.
@@ -346,8 +346,8 @@ const OPEN_TABLE: [BallIndex; 14] = [1, 2, 3, 4, 5, 6, 7, 9, 10, 11, 12, 13, 14,
 #[test]
 fn every_game_continues_from_given_places_with_the_right_balls_on() {
     // The rack, with some of its balls taken away.
-    let begun = |rules: Rules, down: &[usize]| {
-        let mut frame = Frame::new(rules, Options::default(), None, None, 3).expect("a rack");
+    let begun = |game: Game, down: &[usize]| {
+        let mut frame = Frame::new(game, Options::default(), None, None, 3).expect("a rack");
         let count = frame.layout().len() as BallIndex;
         let mut places: Vec<_> = (0..count).map(|ball| frame.layout().place(ball)).collect();
         // In some racks the cue ball is in hand and has no place.
@@ -357,36 +357,36 @@ fn every_game_continues_from_given_places_with_the_right_balls_on() {
     };
     let all_reds: Vec<usize> = (1..=15).collect();
     let to_blue: Vec<usize> = (1..=18).collect();
-    for (rules, down, on, nominates) in [
-        (Rules::EightBall, &[1, 2][..], &OPEN_TABLE[2..], false),
-        (Rules::TenBall, &[1, 2], &[3], false),
-        (Rules::StraightPool, &[1, 2, 3], &[], false),
-        (Rules::Snooker, &all_reds[..13], &[14, 15], false),
-        (Rules::Snooker, &all_reds, &[16], false),
-        (Rules::Snooker, &to_blue, &[19], false),
-        (Rules::ThreeCushion, &[], &[], false),
-        (Rules::Practice, &[3], &[], false),
+    for (game, down, on, nominates) in [
+        (Game::EightBall, &[1, 2][..], &OPEN_TABLE[2..], false),
+        (Game::TenBall, &[1, 2], &[3], false),
+        (Game::StraightPool, &[1, 2, 3], &[], false),
+        (Game::Snooker, &all_reds[..13], &[14, 15], false),
+        (Game::Snooker, &all_reds, &[16], false),
+        (Game::Snooker, &to_blue, &[19], false),
+        (Game::ThreeCushion, &[], &[], false),
+        (Game::Practice, &[3], &[], false),
     ] {
-        let frame = begun(rules, down).expect("a valid position");
+        let frame = begun(game, down).expect("a valid position");
         let turn = frame.turn().expect("a shot");
         let found = (turn.player, turn.hand, &turn.on[..], turn.calls.nominate);
-        assert_eq!(found, (1, None, on, nominates), "{}", rules.name());
+        assert_eq!(found, (1, None, on, nominates), "{}", game.name());
         assert_eq!(frame.layout().on_table().count(), frame.layout().len() - down.len());
     }
     let all_but_one: Vec<usize> = (1..15).collect();
-    for (rules, down) in [
-        (Rules::EightBall, &[8][..]),
-        (Rules::TenBall, &[10]),
-        (Rules::StraightPool, &all_but_one),
-        (Rules::Snooker, &[1, 16]),
-        (Rules::Snooker, &[21]),
-        (Rules::ThreeCushion, &[1]),
+    for (game, down) in [
+        (Game::EightBall, &[8][..]),
+        (Game::TenBall, &[10]),
+        (Game::StraightPool, &all_but_one),
+        (Game::Snooker, &[1, 16]),
+        (Game::Snooker, &[21]),
+        (Game::ThreeCushion, &[1]),
     ] {
         let refused =
-            begun(rules, down).expect_err("a position that the game cannot have").to_string();
+            begun(game, down).expect_err("a position that the game cannot have").to_string();
         assert!(refused.starts_with("places: "), "{refused}");
     }
     let blue_before_green: Vec<usize> = (1..=16).chain([19]).collect();
-    let refused = begun(Rules::Snooker, &blue_before_green).expect_err("an order").to_string();
+    let refused = begun(Game::Snooker, &blue_before_green).expect_err("an order").to_string();
     assert!(refused.contains("5 points"), "{refused}");
 }

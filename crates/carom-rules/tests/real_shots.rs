@@ -4,19 +4,19 @@ use carom::Noise;
 use carom::batch::draw_strikes;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{Policy, StrikePolicy};
-use carom_rules::{Call, Choice, ErrorSeeds, Foul, Frame, Options, Play, Prepared, Rules, Ruling};
+use carom_rules::{Call, Choice, ErrorSeeds, Foul, Frame, Game, Options, Play, Prepared, Ruling};
 
 /// Straight up the table.
 const UP: f64 = core::f64::consts::FRAC_PI_2;
 
-fn frame(rules: Rules) -> Frame {
-    Frame::new(rules, Options::default(), None, None, 1).expect("the game's own table")
+fn frame(game: Game) -> Frame {
+    Frame::new(game, Options::default(), None, None, 1).expect("the game's own table")
 }
 
 fn break_at(azimuth: f64, speed: f64) -> Ruling {
     let strike = Strike { speed, azimuth, elevation: 0.0, side: 0.0, height: 0.0 };
     let play = Play { cue_ball: Some([0.3, 0.3]), call: Call::Safety, ..Play::new(strike) };
-    frame(Rules::StraightPool).play(&play).expect("it can be played").0
+    frame(Game::StraightPool).play(&play).expect("it can be played").0
 }
 
 #[test]
@@ -38,7 +38,7 @@ fn only_a_cue_ball_that_stops_before_the_head_string_commits_the_head_string_fou
 fn a_miscue_is_refused_or_played_as_the_policy_of_the_play_says() {
     let strike = Strike { speed: 3.0, azimuth: UP, elevation: 0.1, side: 0.55, height: 0.0 };
     let refused = Play { call: Call::Safety, ..Play::new(strike) };
-    let mut frame = frame(Rules::StraightPool);
+    let mut frame = frame(Game::StraightPool);
     let error = frame.play(&refused).expect_err("a miscue").to_string();
     assert!(error.starts_with("strike.side: ") && error.contains("miscue"), "{error}");
     let policy = StrikePolicy { miscue: Policy::Report, ..StrikePolicy::default() };
@@ -58,7 +58,7 @@ fn a_miscue_is_refused_or_played_as_the_policy_of_the_play_says() {
 #[test]
 fn a_drawn_play_has_the_strike_and_the_cling_of_the_variant_with_the_number_of_the_shot() {
     let noise = Noise { azimuth: 0.001, cling_probability: 0.5, ..Noise::NONE };
-    let mut frame = frame(Rules::Practice);
+    let mut frame = frame(Game::Practice);
     for index in 0..3 {
         let strike = Strike { speed: 2.0, azimuth: UP, elevation: 0.1, side: 0.0, height: 0.0 };
         let meant = Play::new(strike);
@@ -79,7 +79,7 @@ fn a_drawn_play_has_the_strike_and_the_cling_of_the_variant_with_the_number_of_t
 #[test]
 fn with_a_seed_for_each_seat_the_variant_has_the_number_of_the_seat_s_own_shots() {
     let noise = Noise { azimuth: 0.001, ..Noise::NONE };
-    let mut frame = frame(Rules::ThreeCushion);
+    let mut frame = frame(Game::ThreeCushion);
     let meant =
         Play::new(Strike { speed: 2.0, azimuth: UP, elevation: 0.1, side: 0.0, height: 0.0 });
     let mut own = [0, 0];
@@ -101,7 +101,7 @@ fn with_a_seed_for_each_seat_the_variant_has_the_number_of_the_seat_s_own_shots(
 
 /// The ruling on a stroke up the table, with the blue between the cue ball and a red.
 fn over_the_blue(elevation: f64) -> Ruling {
-    let mut frame = frame(Rules::Snooker);
+    let mut frame = frame(Game::Snooker);
     let mut places: Vec<_> = (0..22).map(|ball| frame.layout().place(ball)).collect();
     (1..=15).for_each(|red| places[red] = None);
     places[0] = Some([0.6, 1.0]);
@@ -122,8 +122,8 @@ fn in_snooker_a_jump_over_a_ball_is_a_foul_even_if_the_red_is_hit_first() {
 
 /// The ruling on a stroke at this azimuth: the cue ball touches `ball`, which is up the table from
 /// it, and `others` are elsewhere.
-fn from_contact(rules: Rules, ball: usize, others: &[(usize, [f64; 2])], azimuth: f64) -> Ruling {
-    let mut frame = frame(rules);
+fn from_contact(game: Game, ball: usize, others: &[(usize, [f64; 2])], azimuth: f64) -> Ruling {
+    let mut frame = frame(game);
     let diameter = 2.0 * frame.base().physics().ball.radius;
     let mut places = vec![None; frame.layout().len()];
     places[0] = Some([0.5, 1.0]);
@@ -140,7 +140,7 @@ fn from_contact(rules: Rules, ball: usize, others: &[(usize, [f64; 2])], azimuth
 #[test]
 fn in_pool_a_shot_at_a_touching_ball_hits_it_and_a_shot_away_from_it_does_not() {
     let nine = |ball, other, azimuth| {
-        let ruling = from_contact(Rules::NineBall, ball, &[(other, [0.2, 0.3])], azimuth);
+        let ruling = from_contact(Game::NineBall, ball, &[(other, [0.2, 0.3])], azimuth);
         ruling.fouls.iter().collect::<Vec<_>>()
     };
     assert_eq!(nine(1, 9, UP), []);
@@ -153,7 +153,7 @@ fn in_pool_a_shot_at_a_touching_ball_hits_it_and_a_shot_away_from_it_does_not() 
 fn in_snooker_a_shot_at_a_touching_ball_is_a_push_and_a_shot_away_counts_as_a_hit() {
     let colors: Vec<(usize, [f64; 2])> =
         (16..22).map(|color| (color, [1.0, 0.1 * color as f64])).collect();
-    let red = |azimuth| from_contact(Rules::Snooker, 1, &colors, azimuth);
+    let red = |azimuth| from_contact(Game::Snooker, 1, &colors, azimuth);
     assert_eq!(red(UP).fouls.iter().collect::<Vec<_>>(), [Foul::Push]);
     assert_eq!(red(UP).points, [0, 4]);
     // Across the table, and slightly away from the ball.
@@ -162,7 +162,7 @@ fn in_snooker_a_shot_at_a_touching_ball_is_a_push_and_a_shot_away_counts_as_a_hi
 
 #[test]
 fn in_three_cushion_a_shot_at_a_frozen_ball_is_a_foul() {
-    let red = |azimuth| from_contact(Rules::ThreeCushion, 2, &[(1, [1.0, 2.0])], azimuth);
+    let red = |azimuth| from_contact(Game::ThreeCushion, 2, &[(1, [1.0, 2.0])], azimuth);
     assert!(red(UP).fouls.has(Foul::Push));
     assert!(red(0.0).is_legal() && red(-UP).is_legal());
 }
@@ -170,7 +170,7 @@ fn in_three_cushion_a_shot_at_a_frozen_ball_is_a_foul() {
 #[test]
 fn a_ball_pressed_into_the_rail_to_which_it_is_frozen_is_not_driven_to_it() {
     let fouls = |gap: f64, speed| {
-        let mut frame = frame(Rules::NineBall);
+        let mut frame = frame(Game::NineBall);
         let top = {
             let table = frame.base().table();
             table.size.y - table.reach(frame.base().physics().ball.radius)
@@ -191,7 +191,7 @@ fn a_ball_pressed_into_the_rail_to_which_it_is_frozen_is_not_driven_to_it() {
 
 #[test]
 fn in_pool_a_jump_over_a_ball_is_not_a_foul() {
-    let mut frame = frame(Rules::NineBall);
+    let mut frame = frame(Game::NineBall);
     let mut places = vec![None; 10];
     for (ball, place) in [(0, [0.6, 0.8]), (2, [0.6, 1.4]), (1, [0.6, 2.25]), (9, [0.2, 0.3])] {
         places[ball] = Some(place);

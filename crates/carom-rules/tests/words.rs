@@ -2,15 +2,15 @@
 
 use carom::format::Node;
 use carom::resolve::cue_ball::Strike;
-use carom_rules::{Choice, Frame, Options, Play, Request, Rules, play_schema};
+use carom_rules::{Choice, Frame, Game, Options, Play, Request, play_schema};
 
-fn frame(rules: Rules) -> Frame {
-    Frame::new(rules, Options::default(), None, None, 4).expect("the game's own table")
+fn frame(game: Game) -> Frame {
+    Frame::new(game, Options::default(), None, None, 4).expect("the game's own table")
 }
 
 /// Eight-ball after a break that was too soft: the frame asks player 1 for a choice.
 fn choosing() -> Frame {
-    let mut frame = frame(Rules::EightBall);
+    let mut frame = frame(Game::EightBall);
     let soft = Strike { speed: 1.0, azimuth: 1.5, elevation: 0.0, side: 0.0, height: 0.0 };
     frame.play(&Play::new(soft).from([0.6, 0.5])).expect("it can be played");
     frame
@@ -19,7 +19,7 @@ fn choosing() -> Frame {
 #[test]
 fn the_description_of_a_frame_has_what_a_player_needs() {
     assert_eq!(
-        frame(Rules::ThreeCushion).describe(),
+        frame(Game::ThreeCushion).describe(),
         "Game: three-cushion. Score: 0 to 0.\n\
          Innings: player 0 1, player 1 0. 40 points win.\n\
          Table: x from 0 to 1.4200 m (left to right), y from 0 to 2.8400 m (bottom to top). \
@@ -29,7 +29,7 @@ fn the_description_of_a_frame_has_what_a_player_needs() {
          To be hit first: red.\n\
          Call: nothing is called."
     );
-    let break_shot = frame(Rules::EightBall).describe();
+    let break_shot = frame(Game::EightBall).describe();
     for part in [
         "The table is open.",
         "Pockets: bottom-left (",
@@ -43,12 +43,12 @@ fn the_description_of_a_frame_has_what_a_player_needs() {
 
 #[test]
 fn the_description_of_every_game_names_every_ball_and_the_seat() {
-    for rules in Rules::ALL {
-        let frame = frame(rules);
+    for game in Game::ALL {
+        let frame = frame(game);
         let text = frame.describe();
         for ball in frame.layout().on_table() {
             let id = &frame.layout().balls()[usize::from(ball)].id;
-            assert!(text.contains(&format!(" {id} (")), "{}: {text}", rules.name());
+            assert!(text.contains(&format!(" {id} (")), "{}: {text}", game.name());
         }
         assert!(text.contains("Player 0 shoots the opening shot"), "{text}");
         assert!(text.lines().all(|line| !line.ends_with(' ')) && !text.contains("  "), "{text}");
@@ -79,13 +79,13 @@ fn at<'a>(node: &'a Node, path: &str) -> &'a Node {
 
 #[test]
 fn the_schema_of_an_answer_allows_what_the_request_allows() {
-    let nine = frame(Rules::NineBall).answer_schema();
+    let nine = frame(Game::NineBall).answer_schema();
     let cue_ball = at(&nine, "properties/play/properties/cue_ball/prefixItems").to_json();
     assert!(cue_ball.contains("\"maximum\": 0.635"), "{cue_ball}");
     let call = |frame: &Frame| {
         at(&frame.answer_schema(), "properties/play/properties/call").to_json_line()
     };
-    assert_eq!(call(&frame(Rules::NineBall)).matches("const").count(), 1, "nothing is called");
+    assert_eq!(call(&frame(Game::NineBall)).matches("const").count(), 1, "nothing is called");
     assert!(choosing().answer_schema().to_json_line().contains("\"enum\": [\"play-on\""));
     let mut called = choosing();
     called.choose(Choice::PlayOn).expect("it is offered");

@@ -4,6 +4,7 @@ use carom::format::Node;
 use carom::physics::{RollingLaw, RollingTolerance};
 use carom::rack::{Break, Game, break_shot as open};
 use carom::{Physics, Table, edition};
+use carom_rules::GameFacts;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -66,10 +67,10 @@ pub fn with_dated_names(file: &str) -> Result<String, JsValue> {
     Ok(carom::format::with_dated_names(&file).to_json())
 }
 
-/// The names of the games that can be racked.
-#[wasm_bindgen]
-pub fn games() -> Vec<String> {
-    Game::ALL.iter().map(|game| game.name().into()).collect()
+/// The facts of every game.
+#[wasm_bindgen(js_name = gameFacts)]
+pub fn game_facts() -> String {
+    Node::list(Game::ALL.map(|game| GameFacts::of(game).to_node())).to_json()
 }
 
 /// The break of a game; options that are undefined take their defaults.
@@ -82,7 +83,7 @@ pub fn break_shot(
     gap: Option<f64>,
     preset: Option<String>,
 ) -> Result<Shot, JsValue> {
-    let game = Game::parse(game).map_err(|e| to_exception(&e))?;
+    let game = Game::read(game).map_err(|e| to_exception(&e))?;
     let table = table.as_deref();
     let usual = Break::named(game, preset.as_deref(), seed).map_err(|e| to_exception(&e))?;
     let (speed, gap) = (speed.or(usual.speed), gap.unwrap_or(usual.gap));

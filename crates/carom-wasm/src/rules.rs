@@ -4,7 +4,7 @@ use carom::format::Node;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{Cling, StrikePolicy};
 use carom::{Error, Noise};
-use carom_rules::{Choice, ErrorSeeds, Options, Play, Rules};
+use carom_rules::{Choice, ErrorSeeds, Game, Options, Play};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -13,17 +13,11 @@ use crate::error::to_exception;
 use crate::shot::Shot;
 use crate::trace::Trace;
 
-/// The names of all rule sets.
-#[wasm_bindgen(js_name = ruleSets)]
-pub fn rule_sets() -> Vec<String> {
-    Rules::ALL.iter().map(|rules| rules.name().into()).collect()
-}
-
 /// The table on which a game is played by default.
 #[wasm_bindgen(js_name = usualTable)]
 pub fn usual_table(game: &str) -> Result<String, JsValue> {
-    let rules = Rules::read(game).map_err(|e| to_exception(&e))?;
-    Ok(rules.rack().table().into())
+    let game = Game::read(game).map_err(|e| to_exception(&e))?;
+    Ok(game.table().into())
 }
 
 /// Checks the keys of a frame's record and the types of its parts.
@@ -177,7 +171,7 @@ impl Frame {
         let read = |json: Option<String>| json.map(|text| Node::from_json(&text)).transpose();
         let frame = || {
             let options = Options { points, miss, patience };
-            carom_rules::Frame::new(Rules::read(game)?, options, read(table)?, read(physics)?, seed)
+            carom_rules::Frame::new(Game::read(game)?, options, read(table)?, read(physics)?, seed)
         };
         frame().map(Self).map_err(|e| to_exception(&e))
     }
@@ -191,8 +185,8 @@ impl Frame {
     ) -> Result<String, JsValue> {
         let read = |json: Option<String>| json.map(|text| Node::from_json(&text)).transpose();
         let setup = || {
-            let rules = Rules::read(game)?;
-            Ok(carom_rules::recorded_setup(rules, read(table)?, read(physics)?).to_json())
+            let game = Game::read(game)?;
+            Ok(carom_rules::recorded_setup(game, read(table)?, read(physics)?).to_json())
         };
         setup().map_err(|e| to_exception(&e))
     }
@@ -207,8 +201,8 @@ impl Frame {
         patience: u32,
     ) -> Result<Self, JsValue> {
         let options = Options { points, miss, patience };
-        let frame = Rules::read(game)
-            .and_then(|rules| carom_rules::Frame::of_shot(rules, options, &shot.0));
+        let frame =
+            Game::read(game).and_then(|game| carom_rules::Frame::of_shot(game, options, &shot.0));
         frame.map(Self).map_err(|e| to_exception(&e))
     }
 

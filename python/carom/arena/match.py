@@ -93,7 +93,7 @@ def play_match(
             probability of 0.05.
         secret: 64 hexadecimal digits that determine all racks and errors, to repeat a match; None
             for a secret of the operating system.
-        points: Points that win straight pool and three-cushion.
+        points: As for ``Frame``.
         miss: Whether a foul and a miss is called in snooker.
         patience: Number of shots in a row without progress that make a stalemate.
         max_events: Largest number of events of a shot.

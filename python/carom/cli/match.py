@@ -16,6 +16,7 @@ from carom.batch import own_strike
 from carom.cli.options import Json, Level, named_noise
 from carom.cli.output import emit, emit_answer, read, say
 from carom.errors import InputError
+from carom.reference import points_help
 
 T = TypeVar("T")
 
@@ -90,9 +91,7 @@ def match(
             "of player A, such as 0.5,0.55.",
         ),
     ] = None,
-    points: Annotated[
-        int, typer.Option(min=1, help="Points that win straight pool and three-cushion.")
-    ] = 40,
+    points: Annotated[int, typer.Option(min=1, help=points_help())] = 40,
     secret: Annotated[
         str | None,
         typer.Option(

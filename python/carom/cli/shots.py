@@ -13,6 +13,7 @@ from carom.cli.output import emit, read_shot
 from carom.event_table import plain, rich_table
 from carom.files import write_whole
 from carom.lazy import LazyModule
+from carom.reference import rule_sets
 
 if TYPE_CHECKING:
     import rich.console as rich_console
@@ -55,9 +56,7 @@ def shot(
 def break_(
     game: Annotated[
         str,
-        typer.Option(
-            help="nine-ball, eight-ball, ten-ball, straight-pool, snooker or three-cushion."
-        ),
+        typer.Option(help=f"{', '.join(rule_sets())}."),
     ] = "nine-ball",
     speed: Annotated[
         float | None, typer.Option(help="The cue's speed, m/s; default: the game's usual one.")

@@ -51,8 +51,7 @@ def aec(game: str = "eight-ball", **settings: Any) -> CaromMatch:
     """Create a match between two agents, for PettingZoo.
 
     Args:
-        game: ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``, ``snooker``,
-            ``three-cushion`` or ``sum-to-three``.
+        game: A game of ``carom.rule_sets()`` for two players, or ``sum-to-three``.
         settings: As for the environments of Gymnasium, except ``opponent``.
 
     Returns:

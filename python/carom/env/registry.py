@@ -4,17 +4,28 @@ from __future__ import annotations
 
 import gymnasium
 
-# The version increases when the same actions give other results.
-ENVIRONMENTS = {
-    "carom/Potting-v3": "potting",
-    "carom/EightBall-v6": "eight-ball",
-    "carom/NineBall-v3": "nine-ball",
-    "carom/TenBall-v5": "ten-ball",
-    "carom/StraightPool-v4": "straight-pool",
-    "carom/Snooker-v6": "snooker",
-    "carom/ThreeCushion-v6": "three-cushion",
-    "carom/SumToThree-v3": "sum-to-three",
+from carom import _core
+
+# The version of every task's environment. It increases when the same actions give other results.
+_VERSIONS = {
+    "potting": 3,
+    "eight-ball": 6,
+    "nine-ball": 3,
+    "ten-ball": 5,
+    "straight-pool": 4,
+    "snooker": 6,
+    "three-cushion": 6,
+    "sum-to-three": 3,
 }
+
+
+def _name(task: str) -> str:
+    words = "".join(word.capitalize() for word in task.split("-"))
+    return f"carom/{words}-v{_VERSIONS[task]}"
+
+
+# Every task, by the name of its environment.
+ENVIRONMENTS = {_name(task): task for task in _core.tasks()}
 
 
 def register() -> None:

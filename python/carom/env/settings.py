@@ -132,7 +132,7 @@ def settings(**given: Any) -> Settings:
     - ``balls``: Number of object balls that are placed at random at the start, or the least and
       the most. In potting None means 1. In the games None means a rack; otherwise the game begins
       in the middle, with equal scores. In snooker these are the reds, and the colours are on their
-      spots; three-cushion has 2; sum-to-three ignores it.
+      spots; carom games have all of theirs; sum-to-three ignores it.
     - ``target_ball``: In potting, the ball to pot: ``any`` or ``lowest``.
     - ``table``: As in a shot; None means the task's own. A list gives every environment of a
       vector its own.
@@ -142,8 +142,8 @@ def settings(**given: Any) -> Settings:
       ``(low, high)`` is uniform; ``{"log_uniform": (low, high)}``, ``{"normal": (mean,
       deviation)}`` and ``{"choice": numbers}`` are the others. A draw with which no table or
       physics can exist is repeated. ``info["randomized"]`` reports them.
-    - ``points``: Points that win straight pool (None means 100), three-cushion (40) and
-      sum-to-three (10).
+    - ``points``: Points that win; None means the game's ``usual_points``
+      (``carom.game_facts()``), in sum-to-three 10.
     - ``patience``: Number of shots without progress after which the frame is a stalemate.
     - ``rewards``: The rewards of a shot; None means the task's own.
     - ``max_episode_steps``: Steps after which an episode is truncated; None means no limit.

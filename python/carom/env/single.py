@@ -35,8 +35,7 @@ class CaromEnv(Environments, gymnasium.Env[Any, Any]):
     ``copy``, ``copy.deepcopy`` and ``pickle`` give an independent environment in the same state.
 
     Args:
-        task: ``potting``, ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``,
-            ``snooker``, ``three-cushion`` or ``sum-to-three``.
+        task: A game of ``carom.rule_sets()`` for two players, ``potting`` or ``sum-to-three``.
         render_mode: ``rgb_array`` or None.
         settings: See :func:`carom.env.settings.settings`.
     """

@@ -62,8 +62,7 @@ class CaromVectorEnv(Environments, VectorEnv[Any, Any, Any]):
     vector is used by one thread at a time; another one that comes meanwhile gets a CaromError.
 
     Args:
-        task: ``potting``, ``eight-ball``, ``nine-ball``, ``ten-ball``, ``straight-pool``,
-            ``snooker``, ``three-cushion`` or ``sum-to-three``.
+        task: A game of ``carom.rule_sets()`` for two players, ``potting`` or ``sum-to-three``.
         num_envs: Number of environments.
         render_mode: ``rgb_array`` or None.
         autoreset_mode: When the next episode begins: ``same-step``, ``next-step`` or

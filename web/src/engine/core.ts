@@ -18,6 +18,7 @@ import type {
   FrameRecord,
   FrameState,
   FrameTerms,
+  GameFacts,
   PlannedPlay,
   Play,
   PlayErrors,
@@ -103,8 +104,9 @@ async function start(source: BufferSource | WebAssembly.Module): Promise<Engine>
 class WasmEngine implements Engine {
   readonly version = wasm.version();
   readonly tip = wasm.tip();
-  readonly games: readonly string[] = wasm.games();
-  readonly ruleSets: readonly string[] = wasm.ruleSets();
+  readonly gameFacts = factsByName(wasm.gameFacts());
+  readonly games: readonly string[] = Object.keys(this.gameFacts);
+  readonly ruleSets: readonly string[] = this.games;
   readonly players: readonly string[] = wasm.players();
   readonly module: WebAssembly.Module;
   #tables: readonly Geometry[] | undefined;
@@ -262,6 +264,11 @@ class WasmEngine implements Engine {
     if (schema) return JSON.parse(schema()) as object;
     throw new CaromError(`kind: there is no schema "${kind}"; write "shot" or "trace"`, "kind");
   }
+}
+
+function factsByName(json: string): Engine["gameFacts"] {
+  const facts = JSON.parse(json) as readonly GameFacts[];
+  return Object.fromEntries(facts.map((game) => [game.name, game]));
 }
 
 function termsOf(given: FrameTerms): Required<Omit<FrameTerms, "target">> {

@@ -2,7 +2,7 @@
 
 import type { CaromError } from "./error.ts";
 import type { Player, PlayerOptions } from "./player.ts";
-import type { Frame, FrameOptions, FrameRecord, FrameTerms } from "./rules.ts";
+import type { Frame, FrameOptions, FrameRecord, FrameTerms, GameFacts } from "./rules.ts";
 import type { Batch, Geometry, Noise, Shot, ShotFile, Trace, TraceFile } from "./types.ts";
 
 /** Options of `Engine.breakShot`. */
@@ -47,8 +47,10 @@ export interface Engine {
   readonly version: string;
   /** One tip, the unit in which players count English, follow and draw, in ball radii. */
   readonly tip: number;
-  /** Games that can be racked. */
+  /** The names of the games. */
   readonly games: readonly string[];
+  /** The facts of every game, by its name. */
+  readonly gameFacts: Readonly<Record<string, GameFacts>>;
   /** Table presets: the newest ones, then older editions. */
   readonly tables: readonly Geometry[];
   /**
@@ -95,11 +97,11 @@ export interface Engine {
    * @throws CaromError that names the σ.
    */
   checkNoise(noise: Noise): void;
-  /** Games with a referee. */
+  /** The same list as `games`. */
   readonly ruleSets: readonly string[];
   /** The table on which a game is played by default. @throws CaromError for an unknown game. */
   usualTable(game: string): string;
-  /** Racks a frame of one of the `ruleSets`. @throws CaromError for an invalid option. */
+  /** Racks a frame of one of the `games`. @throws CaromError for an invalid option. */
   frame(game: string, options?: FrameOptions): Frame;
   /**
    * A frame that starts from the balls of a shot, on its table. Player 0 shoots from where the cue ball

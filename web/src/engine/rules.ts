@@ -128,6 +128,35 @@ export interface Ruling {
   readonly racked: boolean;
 }
 
+/** The facts of a game. */
+export interface GameFacts {
+  readonly name: string;
+  /** The table on which it is played by default. */
+  readonly table: string;
+  /** Number of players: 1 or 2. */
+  readonly players: number;
+  /** Number of balls, with the cue balls. */
+  readonly balls: number;
+  /** Whether each player has a cue ball of its own: the first two balls. */
+  readonly own_cue_balls: boolean;
+  /** What the players try to do with the object balls. */
+  readonly objective: "any-ball" | "lowest-first" | "groups" | "reds-and-colors" | "caroms";
+  /** The number of the ball that decides the game, if a single ball does. */
+  readonly deciding_ball: number | null;
+  /** How the winner is found: by the last ball, by the points at the end, or by a number of points. */
+  readonly scoring: "last-ball" | "points" | "target";
+  /** The usual number of points that win; null without such a number. */
+  readonly usual_points: number | null;
+  /** The largest break without fouls, where the points at the end decide. */
+  readonly maximum: number | null;
+  /** What the opening shot is for. */
+  readonly opening: "break" | "safety" | "carom";
+  /** Whether the players lag for the break. */
+  readonly lag: boolean;
+  /** Whether a foul may also be a miss. */
+  readonly miss: boolean;
+}
+
 /** Terms that the players agree on before a frame. */
 export interface FrameTerms {
   /** Points that win straight pool and three-cushion. Default 40. */

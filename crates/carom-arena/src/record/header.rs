@@ -5,7 +5,7 @@ use std::sync::Arc;
 use carom::format::{Node, Reader};
 use carom::noise::Perception;
 use carom::{Error, Noise};
-use carom_rules::{Options, Rules};
+use carom_rules::{Game, Options};
 
 use super::values::{play, read_play, read_whole, two, whole};
 use super::{ENGINE, MATCH_FORMAT};
@@ -90,7 +90,7 @@ impl MatchHeader {
             ("format", MATCH_FORMAT.into()),
             ("engine", (&self.engine).into()),
             ("players", Node::list(players)),
-            ("game", settings.rules.name().into()),
+            ("game", settings.game.name().into()),
             ("options", Node::object(options)),
             ("table", setup.get("table").cloned().into()),
             ("physics", setup.get("physics").cloned().into()),
@@ -146,12 +146,12 @@ pub(crate) fn read_agreement(
 fn read_settings(header: &Reader<'_>) -> Result<MatchSettings, Error> {
     let game = header.require("game", "the name of a game")?;
     let name = game.text("the name of a game")?;
-    let known = Rules::ALL.map(Rules::name);
-    let rules = Rules::named(name).ok_or_else(|| game.unknown_word(name, "game", &known))?;
+    let known = Game::ALL.map(Game::name);
+    let game = Game::named(name).ok_or_else(|| game.unknown_word(name, "game", &known))?;
     let require = |key: &str| header.require(key, "the setting");
     let max_events = require("max_events")?.whole(1, u32::MAX.into())? as u32;
     Ok(MatchSettings {
-        rules,
+        game,
         options: read_options(&require("options")?)?,
         table: header.get("table").map(|table| table.node().clone()),
         physics: header.get("physics").map(|physics| physics.node().clone()),

@@ -18,7 +18,7 @@ use carom_arena::{
 use carom_mind::{Answer, Budget, Decision, Player, Situation, Spent};
 use carom_plan::Progress;
 use carom_rules::FrameSimulator;
-use carom_rules::{Call, Frame, Options, Play, Request, Rules, Turn};
+use carom_rules::{Call, Frame, Game, Options, Play, Request, Turn};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
@@ -161,12 +161,12 @@ pub(crate) fn random_players(_: PlayerIndex) -> Result<Box<dyn Player>, Error> {
 
 /// Settings for short frames with errors: 3 points win straight pool and three-cushion, and 25 shots
 /// without progress are a stalemate.
-pub(crate) fn short(rules: Rules) -> MatchSettings {
+pub(crate) fn short(game: Game) -> MatchSettings {
     MatchSettings {
         options: Options { points: 3, patience: 25, ..Options::default() },
         noise: [const { Noise::olympiad(1.0) }; 2],
         clock: [Clock::simulations(100); 2],
-        ..MatchSettings::new(rules)
+        ..MatchSettings::new(game)
     }
 }
 

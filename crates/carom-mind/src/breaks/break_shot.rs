@@ -3,7 +3,7 @@
 use carom::math::{Vec2, asin, atan2, sqrt};
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, Table};
-use carom_rules::{Frame, Play, Region, Rules, Turn};
+use carom_rules::{Frame, Play, Region, Turn};
 
 use crate::scene::{Scene, SceneBall};
 use crate::targets::{Targets, call_of};
@@ -12,23 +12,6 @@ use carom_plan::Prepared;
 /// Distance that the cue ball keeps from the lines of its region and from the rails, m: rounding must
 /// not move it over a line.
 const SPARE: f64 = 1e-6;
-
-/// Fastest cue, m/s: the cue ball has 35 mph, about the fastest breaks that were measured. From memory,
-/// not verified.
-const FASTEST: f64 = 12.0;
-/// Slowest cue of a full break, m/s. Slower breaks leave clusters, and values of positions do not see how
-/// much harder a rack with clusters is to clear: a search without this limit plays ten-ball at 5 m/s.
-const SLOWEST: f64 = 7.5;
-
-/// The least and the greatest speed of the cue in the opening shots of these rules, m/s.
-pub(crate) const fn speeds(rules: Rules) -> [f64; 2] {
-    match rules {
-        Rules::EightBall | Rules::NineBall | Rules::TenBall | Rules::Practice => [SLOWEST, FASTEST],
-        Rules::StraightPool => [1.0, 8.0],
-        Rules::Snooker => [2.0, 7.0],
-        Rules::ThreeCushion => [1.6, 7.0],
-    }
-}
 
 /// An opening shot: the place of the cue ball, the hit of the first ball, and the stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -167,23 +150,23 @@ fn place_in(region: Region, table: &Table, radius: f64, [across, behind]: [f64; 
 #[cfg(test)]
 mod tests {
     use carom::math::degrees;
-    use carom_rules::{Frame, Options, Rules};
+    use carom_rules::{Frame, Game, Options};
 
     use super::BreakShot;
 
-    fn new_frame(rules: Rules) -> Frame {
-        Frame::new(rules, Options::default(), None, None, 0).unwrap()
+    fn new_frame(game: Game) -> Frame {
+        Frame::new(game, Options::default(), None, None, 0).unwrap()
     }
 
     #[test]
     fn every_share_of_the_region_is_a_place_where_the_rules_allow_the_cue_ball() {
-        for rules in Rules::ALL {
-            let frame = new_frame(rules);
+        for game in Game::ALL {
+            let frame = new_frame(game);
             for across in [-1.0, -0.3, 0.02, 0.6, 1.0] {
                 for behind in [0.25, 0.6, 1.0] {
                     let shot = BreakShot { across, behind, ..BreakShot::center(4.0) };
                     let played = shot.play(&frame).and_then(|play| frame.shot(&play));
-                    assert!(played.is_ok(), "{} {across} {behind}: {played:?}", rules.name());
+                    assert!(played.is_ok(), "{} {across} {behind}: {played:?}", game.name());
                 }
             }
         }
@@ -191,8 +174,8 @@ mod tests {
 
     #[test]
     fn a_full_hit_from_the_middle_goes_straight_up_the_table() {
-        for rules in [Rules::EightBall, Rules::NineBall, Rules::TenBall, Rules::StraightPool] {
-            let play = BreakShot::center(8.0).play(&new_frame(rules)).unwrap();
+        for game in [Game::EightBall, Game::NineBall, Game::TenBall, Game::StraightPool] {
+            let play = BreakShot::center(8.0).play(&new_frame(game)).unwrap();
             assert!((degrees(play.strike.azimuth) - 90.0).abs() < 0.01, "{play:?}");
             assert!(play.strike.elevation > 0.0);
         }
@@ -200,7 +183,7 @@ mod tests {
 
     #[test]
     fn the_mirror_image_of_a_shot_has_its_place_and_its_aim_on_the_other_side() {
-        let frame = new_frame(Rules::EightBall);
+        let frame = new_frame(Game::EightBall);
         let shot = BreakShot { across: 0.7, aim: 0.3, side: 0.1, ..BreakShot::center(8.0) };
         let [right, left] = [shot, shot.mirrored()].map(|shot| shot.play(&frame).unwrap());
         let [a, b] = [right, left].map(|play| play.cue_ball.unwrap());
@@ -213,7 +196,7 @@ mod tests {
 
     #[test]
     fn numbers_out_of_range_are_refused_at_their_names() {
-        let frame = new_frame(Rules::NineBall);
+        let frame = new_frame(Game::NineBall);
         let center = BreakShot::center(8.0);
         for (shot, place) in [
             (BreakShot { across: 1.5, ..center }, "across: "),

@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use carom::edition::{TABLES, find};
 use carom::math::log;
 use carom::{Noise, Physics};
-use carom_rules::{Frame, Rules};
+use carom_rules::{Frame, Game};
 
 use super::break_counts::BreakCounts;
 use super::break_shot::BreakShot;
@@ -20,7 +20,7 @@ static ENTRIES: LazyLock<Vec<FoundBreak>> =
 #[derive(Clone, Debug, PartialEq)]
 pub struct FoundBreak {
     /// The game.
-    pub rules: Rules,
+    pub game: Game,
     /// The dated name of the table, whose own physics was used.
     pub table: &'static str,
     /// The breaker's errors and the opponent's, as a multiple of the Computational Olympiad's.
@@ -60,15 +60,12 @@ pub fn entries() -> &'static [FoundBreak] {
 /// nearest are used, by the logarithm of [`multiplier`]. In practice the breaks of eight-ball are
 /// used. The options of a frame make no difference.
 pub fn found(frame: &Frame, noise: &Noise) -> Option<(&'static FoundBreak, Fit)> {
-    let rules = match frame.rules() {
-        Rules::Practice => Rules::EightBall,
-        rules => rules,
-    };
+    let game = frame.game().opened_as();
     let wanted = log(multiplier(noise).max(LEAST_NOISE));
     let rank = |entry: &&FoundBreak| {
         (entry.distance(frame), (log(entry.noise.max(LEAST_NOISE)) - wanted).abs())
     };
-    let of_game = ENTRIES.iter().filter(|entry| entry.rules == rules);
+    let of_game = ENTRIES.iter().filter(|entry| entry.game == game);
     let best = of_game.min_by(|a, b| {
         let (a, b) = (rank(a), rank(b));
         a.0.total_cmp(&b.0).then(a.1.total_cmp(&b.1))
@@ -91,19 +88,19 @@ impl FoundBreak {
 
     /// The break as a line of the data.
     pub fn line(&self) -> String {
-        let Self { rules, table, noise, shot, counts, simulations, version } = self;
+        let Self { game, table, noise, shot, counts, simulations, version } = self;
         let BreakShot { across, behind, aim, speed, side, height } = shot;
         let BreakCounts { breaks, fallen, any_fallen, kept, fouls, game_ball, win, error } = counts;
         format!(
             "{},{table},{noise},{across},{behind},{aim},{speed},{side},{height},{breaks},{fallen},\
              {any_fallen},{kept},{fouls},{game_ball},{win:.4},{error:.4},{simulations},{version}",
-            rules.name(),
+            game.name(),
         )
     }
 
     fn parse(line: &'static str) -> Option<Self> {
         let mut words = line.split(',');
-        let rules = Rules::named(words.next()?)?;
+        let game = Game::named(words.next()?)?;
         let table = words.next()?;
         let mut number = || words.next()?.parse::<f64>().ok();
         let noise = number()?;
@@ -128,7 +125,7 @@ impl FoundBreak {
         };
         let simulations = number()? as u64;
         let version = words.next()?;
-        Some(Self { rules, table, noise, shot, counts, simulations, version })
+        Some(Self { game, table, noise, shot, counts, simulations, version })
     }
 
     /// 0 on the same table with the same physics, else greater.
@@ -152,13 +149,13 @@ impl FoundBreak {
 mod tests {
     use carom::Noise;
     use carom::format::Node;
-    use carom_rules::{Frame, Options, Rules};
+    use carom_rules::{Frame, Game, Options};
 
     use super::{DATA, Fit, FoundBreak, entries, found};
 
-    fn new_frame(rules: Rules, table: Option<&str>, physics: Option<&str>) -> Frame {
+    fn new_frame(game: Game, table: Option<&str>, physics: Option<&str>) -> Frame {
         let node = |name: Option<&str>| name.map(Node::from);
-        Frame::new(rules, Options::default(), node(table), node(physics), 0).unwrap()
+        Frame::new(game, Options::default(), node(table), node(physics), 0).unwrap()
     }
 
     #[test]
@@ -175,7 +172,7 @@ mod tests {
     fn every_entry_is_found_for_its_own_game_table_and_errors() {
         assert!(!entries().is_empty());
         for entry in entries() {
-            let frame = new_frame(entry.rules, Some(entry.table), None);
+            let frame = new_frame(entry.game, Some(entry.table), None);
             let best = found(&frame, &Noise::olympiad(entry.noise)).unwrap();
             assert_eq!(best, (entry, Fit::Same));
             assert!(entry.shot.play(&frame).is_ok(), "{}", entry.line());
@@ -184,11 +181,11 @@ mod tests {
 
     #[test]
     fn every_game_has_a_break_for_its_usual_table() {
-        for rules in Rules::ALL {
+        for game in Game::ALL {
             for multiplier in [0.0, 0.5, 1.0, 2.0, 9.0] {
-                let frame = new_frame(rules, None, None);
+                let frame = new_frame(game, None, None);
                 let (entry, fit) = found(&frame, &Noise::olympiad(multiplier)).unwrap();
-                assert_eq!(fit, Fit::Same, "{} {}", rules.name(), entry.table);
+                assert_eq!(fit, Fit::Same, "{} {}", game.name(), entry.table);
             }
         }
     }
@@ -196,10 +193,10 @@ mod tests {
     #[test]
     fn another_table_or_other_physics_gets_the_break_of_a_similar_table() {
         let noise = Noise::olympiad(1.0);
-        let cloth = new_frame(Rules::NineBall, None, Some("pool-worn-cloth"));
+        let cloth = new_frame(Game::NineBall, None, Some("pool-worn-cloth"));
         let (entry, fit) = found(&cloth, &noise).unwrap();
         assert_eq!((entry.table, fit), ("wpa-9ft-2026-12", Fit::Similar));
-        let old = new_frame(Rules::NineBall, Some("bar-7ft-2026-11"), None);
+        let old = new_frame(Game::NineBall, Some("bar-7ft-2026-11"), None);
         let (entry, fit) = found(&old, &noise).unwrap();
         assert_eq!((entry.table, fit), ("bar-7ft-2026-12", Fit::Similar));
     }

@@ -15,5 +15,4 @@ mod found;
 
 pub use break_counts::BreakCounts;
 pub use break_shot::BreakShot;
-pub(crate) use break_shot::speeds;
 pub use found::{Fit, FoundBreak, entries, found, multiplier};

@@ -5,7 +5,7 @@
 
 use std::sync::Arc;
 
-use carom_rules::{BallIndex, Frame, Request, Rules, Seat, Turn};
+use carom_rules::{BallIndex, Frame, Request, Seat, Turn};
 
 use super::pot_table::PotTable;
 use crate::line;
@@ -84,7 +84,7 @@ impl Value for BestShots {
     /// without pots on the table (openings, three-cushion) are valued by the Markov chain.
     fn of_shot(&self, position: &Position<'_>, turn: &Turn) -> f64 {
         let frame: &Frame = position.frame;
-        if frame.is_opening() || frame.rules() == Rules::ThreeCushion {
+        if frame.is_opening() || frame.facts().is_carom() {
             return Markov::default().of_shot(position, turn);
         }
         self.promise(position, turn)

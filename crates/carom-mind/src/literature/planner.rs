@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use carom::Error;
-use carom_rules::{Choice, Play, Request, Rules, Seat};
+use carom_rules::{Choice, Play, Request, Seat};
 
 use super::best_shots::{BestShots, COUNTED};
 use super::desk::{Desk, anything, carom, safety, usual_break};
@@ -76,7 +76,7 @@ impl<M: Method> Planner<M> {
     pub(crate) fn value_of(&self, situation: &Situation<'_>) -> Result<BestShots, Error> {
         let frame = situation.frame;
         let table = |seat: Seat| {
-            if frame.rules() == Rules::ThreeCushion {
+            if frame.facts().is_carom() {
                 Ok(Arc::new(PotTable::geometric(situation.noise[seat].clone())))
             } else {
                 self.tables.table(frame, &situation.noise[seat])
@@ -87,7 +87,7 @@ impl<M: Method> Planner<M> {
 
     fn shot(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
         let frame = desk.situation.frame;
-        if frame.rules() == Rules::ThreeCushion {
+        if frame.facts().is_carom() {
             return carom(desk, spent);
         }
         let attack = if !frame.is_opening() {

@@ -142,13 +142,13 @@ mod tests {
     use crate::literature::pot_table::PotTable;
     use carom::Noise;
     use carom::math::Vec2;
-    use carom_rules::{Frame, Options, Rules};
+    use carom_rules::{Frame, Game, Options};
     use std::sync::Arc;
 
     #[test]
     fn places_behind_the_ball_are_good_and_one_on_the_ball_is_worthless() {
         let mut frame =
-            Frame::new(Rules::NineBall, Options::default(), None, None, 1).expect("a frame");
+            Frame::new(Game::NineBall, Options::default(), None, None, 1).expect("a frame");
         let mut places = vec![None; frame.layout().len()];
         // The 1 near the top left pocket; the 9 far away.
         places[0] = Some([0.9, 0.3]);

@@ -12,7 +12,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use carom::noise::Perception;
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, Noise};
-use carom_rules::{Call, Frame, Options, Rules};
+use carom_rules::{Call, Frame, Game, Options};
 use core::f64::consts::SQRT_2;
 
 use crate::aim::{AimStart, aim};
@@ -154,7 +154,7 @@ fn measure_layout(
 fn practice(base: &carom::Shot) -> Result<Frame, Error> {
     let file = base.to_node();
     let (table, physics) = (file.get("table").cloned(), file.get("physics").cloned());
-    Frame::new(Rules::Practice, Options::default(), table, physics, 0)
+    Frame::new(Game::Practice, Options::default(), table, physics, 0)
 }
 
 /// Hits and drawn strikes around each value of the table.
@@ -233,11 +233,11 @@ pub(crate) const EVERY_KIND: [LineKind; 4] =
 mod tests {
     use super::{PotTable, PotTables, cell};
     use carom::Noise;
-    use carom_rules::{Frame, Options, Rules};
+    use carom_rules::{Frame, Game, Options};
     use std::sync::Arc;
 
     fn frame() -> Frame {
-        Frame::new(Rules::EightBall, Options::default(), None, None, 1).expect("a frame")
+        Frame::new(Game::EightBall, Options::default(), None, None, 1).expect("a frame")
     }
 
     #[test]

@@ -4,7 +4,7 @@ use carom::Noise;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use carom_plan::Prepared;
-use carom_rules::{Call, Frame, FrameSimulator, Options, Play, Request, Rules};
+use carom_rules::{Call, Frame, FrameSimulator, Game, Options, Play, Request};
 
 use super::levels::{NodeSearch, Rating, generate, is_searched, level_one, level_two, node_value};
 use super::shots::{Stroke, sampled_strokes};
@@ -17,14 +17,14 @@ use crate::workbench::Workbench;
 /// A small budget: decisions take milliseconds also without optimisation.
 const FEW: u64 = 150;
 
-fn frame(rules: Rules, seed: u64) -> Frame {
+fn frame(game: Game, seed: u64) -> Frame {
     let options = Options { points: 3, patience: 12, ..Options::default() };
-    Frame::new(rules, options, None, None, seed).expect("a frame")
+    Frame::new(game, options, None, None, seed).expect("a frame")
 }
 
 /// A frame of eight-ball on an open table with the cue ball, the eight and others at these places.
 fn layout(places: &[(usize, [f64; 2])]) -> Frame {
-    let mut frame = frame(Rules::EightBall, 1);
+    let mut frame = frame(Game::EightBall, 1);
     let mut all = vec![None; frame.layout().len()];
     for (ball, place) in places {
         all[*ball] = Some(*place);
@@ -62,7 +62,7 @@ fn every_player_plays_a_whole_frame_of_eight_ball_against_itself() {
     for (seed, name) in (0..).zip(NAMES) {
         let mut player = literature.player(name).expect("a player");
         assert_eq!(player.name(), name);
-        let mut frame = frame(Rules::EightBall, seed);
+        let mut frame = frame(Game::EightBall, seed);
         let mut decisions = 0;
         while !frame.is_over() {
             let decision = decide(player.as_mut(), &frame, decisions);
@@ -115,10 +115,10 @@ fn every_player_answers_every_kind_of_request_of_all_seven_games() {
     let literature = Literature::default();
     let mut simulator = FrameSimulator::new();
     let mut choices = 0;
-    for rules in Rules::ALL {
+    for game in Game::ALL {
         let mut seen: Vec<String> = Vec::new();
         for seed in 0..4 {
-            let mut frame = frame(rules, seed);
+            let mut frame = frame(game, seed);
             // After a break blind play leads to fouls, and so to every kind of request.
             for index in 0..60 {
                 let kind = kind_of(&frame);
@@ -145,7 +145,7 @@ fn every_player_answers_every_kind_of_request_of_all_seven_games() {
                 }
             }
         }
-        assert!(seen.len() >= 2, "{}: {seen:?}", rules.name());
+        assert!(seen.len() >= 2, "{}: {seen:?}", game.name());
     }
     assert!(choices >= 7, "only {choices} kinds of choice were asked for");
 }
@@ -176,7 +176,7 @@ fn every_player_pots_an_easy_straight_shot() {
 fn a_decision_is_the_same_with_one_and_with_two_threads() {
     let literature = Literature::default();
     let mut simulator = FrameSimulator::new();
-    let mut frame = frame(Rules::EightBall, 7);
+    let mut frame = frame(Game::EightBall, 7);
     let mut greedy = literature.player("greedy").expect("a player");
     // The break and the first position after it.
     for index in 0..2 {

@@ -8,13 +8,13 @@
 use carom::Error;
 use carom::math::sqrt;
 use carom::runner::Runner;
-use carom_rules::{Frame, Rules};
+use carom_rules::{Frame, OpeningKind};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
 use super::racks::{Corrections, Racks};
 use super::strike_errors::largest_offset;
-use crate::breaks::{BreakCounts, BreakShot, speeds};
+use crate::breaks::{BreakCounts, BreakShot};
 use crate::player::Situation;
 use crate::value::Value;
 use carom_plan::{Prepared, two_sided_quantile};
@@ -315,12 +315,13 @@ impl Space {
         let radius = frame.layout().balls()[cue].ball.radius;
         let most_offset = largest_offset(shot, noise, radius);
         let offset = most_offset.min(BREAK_OFFSET);
-        let speed = speeds(frame.rules());
+        let facts = frame.facts();
+        let speed = facts.opening.speeds;
         // A rack of fifteen is ten radii wide; its corner ball is hit thinly at about ±6.
-        let (aim, offset) = match frame.rules() {
-            Rules::EightBall | Rules::NineBall | Rules::TenBall | Rules::Practice => (2.0, offset),
-            Rules::StraightPool | Rules::Snooker => (7.0, offset),
-            Rules::ThreeCushion => (2.0, most_offset),
+        let (aim, offset) = match facts.opening.kind {
+            OpeningKind::Break => (2.0, offset),
+            OpeningKind::Safety => (7.0, offset),
+            OpeningKind::Carom => (2.0, most_offset),
         };
         let is_symmetric = frame.turn().is_some_and(|turn| turn.hand.is_some());
         Ok(Self {

@@ -12,7 +12,6 @@ use carom_rules::{BallIndex, Call, Play};
 
 use super::candidate::{Candidate, PlayKind};
 use super::task::ShotTask;
-use crate::breaks::speeds;
 use crate::line::Line;
 use crate::targets::Targets;
 use crate::value::Position;
@@ -79,7 +78,7 @@ impl<'a> Explorer<'a> {
     /// Least and greatest speed of the cue near the best plays, m/s.
     pub(crate) fn speeds(&self) -> [f64; 2] {
         let frame = self.task.frame();
-        if frame.is_opening() { speeds(frame.rules()) } else { ANY_SPEED }
+        if frame.is_opening() { frame.facts().opening.speeds } else { ANY_SPEED }
     }
 
     /// The value of the last ruled simulation for the player.

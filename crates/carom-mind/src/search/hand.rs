@@ -102,7 +102,7 @@ mod tests {
     use carom::format::Node;
     use carom::resolve::cue_ball::Strike;
     use carom_plan::Prepared;
-    use carom_rules::{Call, Frame, FrameSimulator, Options, Play, Rules};
+    use carom_rules::{Call, Frame, FrameSimulator, Game, Options, Play};
 
     use super::*;
     use crate::player::Situation;
@@ -113,7 +113,7 @@ mod tests {
     fn the_cue_ball_may_stand_only_where_the_table_lets_it() {
         let table = Some(Node::from("poolfiz"));
         let mut frame =
-            Frame::new(Rules::EightBall, Options::default(), table, None, 1).expect("a frame");
+            Frame::new(Game::EightBall, Options::default(), table, None, 1).expect("a frame");
         let mut balls = vec![None; frame.layout().len()];
         (balls[0], balls[8]) = (Some([0.3, 1.8]), Some([0.5, 1.6]));
         frame.resume_at(&balls, 0).expect("a layout");

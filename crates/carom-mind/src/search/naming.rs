@@ -6,7 +6,7 @@
 use carom::Error;
 use carom::event::{Event, EventKind, Recorder};
 use carom::table::{Part, PocketName, Table};
-use carom_rules::{BallIndex, Call, Rules};
+use carom_rules::{BallIndex, Call};
 
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
@@ -135,7 +135,7 @@ impl Explorer<'_> {
         if !is_legal || !self.keeps_turn() {
             return Ok(());
         }
-        if self.task.frame().rules() == Rules::ThreeCushion {
+        if self.task.frame().facts().is_carom() {
             candidate.kind = PlayKind::Carom;
             return Ok(());
         }

@@ -4,7 +4,7 @@
 use carom::Error;
 use carom::math::{Vec2, atan2};
 use carom::resolve::cue_ball::Strike;
-use carom_rules::{Play, Region, Rules};
+use carom_rules::{OpeningKind, Play, Region};
 
 use super::break_search::{BreakSearch, variants};
 use super::candidate::PlayKind;
@@ -48,7 +48,7 @@ pub(crate) fn opening_shots(
 ) -> Result<Vec<BreakShot>, Error> {
     let SearchTask { shot: ShotTask { situation, turn, value }, settings, budget } = *task;
     let frame = situation.frame;
-    let game = frame.rules().rack();
+    let game = frame.game();
     if let Some(shot) = settings.break_shot.fixed(game) {
         let played = shot.play(frame);
         return played.map(|_| vec![shot]).map_err(|error| error.inside("settings.break_shot"));
@@ -107,10 +107,7 @@ impl ShotTask<'_> {
 
     /// Whether the opening shot of this game spreads the balls.
     pub(crate) fn breaks_hard(&self) -> bool {
-        matches!(
-            self.frame().rules(),
-            Rules::EightBall | Rules::NineBall | Rules::TenBall | Rules::Practice
-        )
+        self.frame().facts().opening.kind == OpeningKind::Break
     }
 }
 
@@ -124,10 +121,10 @@ impl Explorer<'_> {
         shots: &[BreakShot],
         prepared: &[Prepared<'_>],
     ) -> Result<(), Error> {
-        let kind = match self.task.frame().rules() {
-            Rules::StraightPool | Rules::Snooker => PlayKind::Safety,
-            Rules::ThreeCushion => PlayKind::Carom,
-            _ => PlayKind::Break,
+        let kind = match self.task.frame().facts().opening.kind {
+            OpeningKind::Break => PlayKind::Break,
+            OpeningKind::Safety => PlayKind::Safety,
+            OpeningKind::Carom => PlayKind::Carom,
         };
         for (shot, at) in shots.iter().zip(cue_places(prepared)) {
             let Play { strike, call, .. } = shot.play_of(at.prepared)?;

@@ -3,7 +3,7 @@
 use carom::noise::{Errors, Perception};
 use carom::runner::Runner;
 use carom::{Error, Noise};
-use carom_rules::{Frame, Request, Rules, Seat, Turn};
+use carom_rules::{Frame, OpeningKind, Request, Seat, Turn};
 
 use super::replies::quick_value;
 use crate::breaks::{BreakCounts, BreakShot};
@@ -73,9 +73,9 @@ impl<'a> Racks<'a> {
         }
         let noise = [situation.noise[seat].clone(), situation.noise[1 - seat].clone()];
         let (perception, seed) = (situation.perception.clone(), situation.seed);
-        let rebreak = match start.rules() {
-            Rules::StraightPool | Rules::Snooker => REBREAK_SAFELY,
-            _ => REBREAK,
+        let rebreak = match start.facts().opening.kind {
+            OpeningKind::Safety => REBREAK_SAFELY,
+            OpeningKind::Break | OpeningKind::Carom => REBREAK,
         };
         let fresh = start.with_seed(seed)?;
         let at_start = value.win_chance(&Position { frame: &fresh, noise: &noise }, BREAKER);
@@ -182,7 +182,7 @@ impl<'a> Racks<'a> {
         }
         let Ok(ruling) = sampler.rule(&prepared, play.call, successor) else { return Ok(None) };
         let fallen = || sampler.outcome().pocketed.iter().map(|(ball, _)| *ball);
-        let is_game_ball = |ball: u16| game_ball(frame.rules()) == Some(ball);
+        let is_game_ball = |ball: u16| frame.facts().deciding_ball == Some(ball);
         let cue = prepared.turn().cue;
         let mut played = PlayedBreak {
             value: 0.0,
@@ -259,16 +259,6 @@ impl<'a> Racks<'a> {
         *plays += more;
         // A short search may find only a poor shot: the estimate is the better bound.
         Ok(if per_reply <= AFTER_FOUL { searched.max(estimated()) } else { searched })
-    }
-}
-
-/// The ball that decides a game.
-const fn game_ball(rules: Rules) -> Option<u16> {
-    match rules {
-        Rules::EightBall => Some(8),
-        Rules::NineBall => Some(9),
-        Rules::TenBall => Some(10),
-        Rules::StraightPool | Rules::Snooker | Rules::ThreeCushion | Rules::Practice => None,
     }
 }
 

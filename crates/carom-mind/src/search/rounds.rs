@@ -3,7 +3,7 @@
 
 use carom::Error;
 use carom_plan::Prepared;
-use carom_rules::{Play, Rules};
+use carom_rules::Play;
 
 use super::candidate::Candidate;
 use super::explore::{Explorer, cue_places};
@@ -363,7 +363,7 @@ impl<'a> ShotSearch<'a> {
 fn first_factor(shot: &ShotTask<'_>) -> u64 {
     let (frame, turn) = (shot.frame(), shot.turn);
     match turn.hand {
-        _ if frame.is_opening() || frame.rules() == Rules::ThreeCushion => OPENING,
+        _ if frame.is_opening() || frame.facts().is_carom() => OPENING,
         Some(_) => MORE_PLAYS,
         None if turn.calls.push_out => MORE_PLAYS,
         None => 1,
@@ -384,7 +384,7 @@ fn explore(
     simulations: u64,
 ) -> Result<Vec<KnownLine>, Error> {
     explorer.openings(openings, prepared)?;
-    let has_pots = explorer.task.frame().rules() != Rules::ThreeCushion;
+    let has_pots = !explorer.task.frame().facts().is_carom();
     let pots = (POTS * simulations as f64) as u64;
     let mut lines = Vec::new();
     for at in cue_places(prepared).filter(|_| openings.is_empty()) {

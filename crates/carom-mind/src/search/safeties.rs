@@ -5,7 +5,7 @@ use core::f64::consts::TAU;
 use carom::Error;
 use carom::math::{Vec2, asin, atan2, exp, log, sin_cos, sqrt};
 use carom::resolve::cue_ball::Strike;
-use carom_rules::{BallIndex, Call, Rules};
+use carom_rules::{BallIndex, Call};
 
 use super::candidate::PlayKind;
 use super::explore::{CuePlace, Explorer, FoundPlay, cue_places, raised};
@@ -194,10 +194,12 @@ impl Explorer<'_> {
         if is_legal {
             let scores = self.keeps_turn();
             let prior = if scores { LUCK * value } else { value };
-            let kind = match self.task.frame().rules() {
-                _ if !scores => PlayKind::Safety,
-                Rules::ThreeCushion => PlayKind::Carom,
-                _ => PlayKind::Indirect,
+            let kind = if !scores {
+                PlayKind::Safety
+            } else if self.task.frame().facts().is_carom() {
+                PlayKind::Carom
+            } else {
+                PlayKind::Indirect
             };
             let without_line =
                 pot.filter(|(ball, pocket)| self.measures_window(*ball, *pocket, strike.azimuth));

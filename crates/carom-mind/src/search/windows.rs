@@ -213,7 +213,7 @@ pub(crate) fn direct_pots<'a>(
 mod tests {
     use carom::Noise;
     use carom::table::PocketName;
-    use carom_rules::{Frame, Options, Rules};
+    use carom_rules::{Frame, Game, Options};
 
     use super::*;
     use crate::player::Situation;
@@ -224,7 +224,7 @@ mod tests {
     /// A frame of nine-ball with these places of the cue ball and the nine.
     fn lone_nine(cue: [f64; 2], nine: [f64; 2]) -> Frame {
         let mut frame =
-            Frame::new(Rules::NineBall, Options::default(), None, None, 0).expect("a frame");
+            Frame::new(Game::NineBall, Options::default(), None, None, 0).expect("a frame");
         let mut balls = vec![None; frame.layout().len()];
         (balls[0], balls[9]) = (Some(cue), Some(nine));
         frame.resume_at(&balls, 0).expect("a layout");

@@ -1,7 +1,7 @@
 //! What the logistic regression sees of a position.
 
 use carom::math::{exp, log};
-use carom_rules::{Frame, MOST_BALLS, Rules, Seat, Turn};
+use carom_rules::{Frame, MOST_BALLS, Objective, Scoring, Seat, Turn};
 
 use super::needs::{Needs, set_of};
 use super::ways::{Ease, Ways, log_in_run};
@@ -124,14 +124,13 @@ fn odds(probability: f64) -> f64 {
 /// The lead of a seat: in balls, or in points as a share of what is at stake.
 fn lead(frame: &Frame, own: Seat) -> f64 {
     let [ours, theirs] = [own, 1 - own].map(|seat| f64::from(frame.scores()[seat]));
-    match frame.rules() {
-        Rules::EightBall => {
+    let facts = frame.facts();
+    match facts.scoring {
+        Scoring::LastBall if facts.objective == Objective::Groups => {
             balls_left(frame, 1 - own) as f64 / 7.0 - balls_left(frame, own) as f64 / 7.0
         }
-        Rules::Snooker => (ours - theirs) / 147.0,
-        Rules::StraightPool | Rules::ThreeCushion => {
-            (ours - theirs) / f64::from(frame.options().points)
-        }
-        _ => 0.0,
+        Scoring::LastBall => 0.0,
+        Scoring::Points { maximum } => (ours - theirs) / f64::from(maximum),
+        Scoring::Target { .. } => (ours - theirs) / f64::from(frame.options().points),
     }
 }

@@ -1,7 +1,7 @@
 //! A logistic regression on the features of a position, fitted to matches of almost equal players.
 
 use carom::math::exp;
-use carom_rules::{Rules, Turn};
+use carom_rules::{Game, Turn};
 
 use super::features::{COUNT, Features};
 use super::weights;
@@ -19,7 +19,7 @@ impl Value for Logistic {
     }
 
     fn of_shot(&self, position: &Position<'_>, turn: &Turn) -> f64 {
-        let Some(weights) = weights_of(position.frame.rules()) else {
+        let Some(weights) = weights_of(position.frame.game()) else {
             return Markov::default().of_shot(position, turn);
         };
         if position.frame.is_opening() {
@@ -32,7 +32,7 @@ impl Value for Logistic {
 }
 
 /// The weights of a game; none if they have not been fitted.
-fn weights_of(rules: Rules) -> Option<&'static [f64; COUNT]> {
-    let of_game = weights::WEIGHTS.iter().find(|(name, _)| *name == rules.name());
+fn weights_of(game: Game) -> Option<&'static [f64; COUNT]> {
+    let of_game = weights::WEIGHTS.iter().find(|(name, _)| *name == game.name());
     of_game.map(|(_, weights)| weights)
 }

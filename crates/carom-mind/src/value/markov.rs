@@ -6,9 +6,7 @@
 //! (1 − q)(1 − W(m, n)) with W(0, m) = 1. The chain is solved in closed form for each pair (n, m),
 //! (m, n). The first shot is valued by the best pot of the position instead of q.
 
-use carom_rules::games::GameState;
-use carom_rules::games::snooker::value;
-use carom_rules::{Frame, Region, Rules, Seat, Turn};
+use carom_rules::{Frame, Objective, Region, Scoring, Seat, Turn};
 
 use super::{Lanes, Position, Reference, Value};
 use crate::targets::balls_left;
@@ -93,7 +91,7 @@ impl Markov {
         let (own, other) = (turn.player, 1 - turn.player);
         let rates = Rates::of(usual, self.in_run);
         let first = match turn.hand {
-            _ if frame.rules() == Rules::ThreeCushion || frame.is_opening() => rates.run[own],
+            _ if frame.facts().is_carom() || frame.is_opening() => rates.run[own],
             Some(region) if region != Region::Anywhere => best.min(rates.run[own]),
             _ => best,
         };
@@ -127,12 +125,13 @@ enum Kind {
 impl Chain {
     fn of(frame: &Frame, run: [f64; 2], own: Seat) -> Self {
         let other = 1 - own;
-        let kind = match frame.game_state() {
-            GameState::EightBall(_) => {
+        let facts = frame.facts();
+        let kind = match facts.scoring {
+            Scoring::LastBall if facts.objective == Objective::Groups => {
                 Kind::Counts(balls_left(frame, own), balls_left(frame, other))
             }
-            GameState::Rotation(_) | GameState::Practice(_) => Kind::Shared(balls_left(frame, own)),
-            GameState::StraightPool(_) | GameState::ThreeCushion(_) => {
+            Scoring::LastBall => Kind::Shared(balls_left(frame, own)),
+            Scoring::Target { .. } => {
                 let points = frame.options().points;
                 let need = |seat: Seat| (points - frame.scores()[seat]).max(1);
                 let most = need(own).max(need(other)).max(1);
@@ -143,9 +142,10 @@ impl Chain {
                 };
                 Kind::Counts(scale(need(own)), scale(need(other)))
             }
-            GameState::Snooker(_) => {
+            Scoring::Points { .. } => {
                 let lead = f64::from(frame.scores()[own] - frame.scores()[other]);
-                let left = frame.layout().on_table().map(value).map(|v| if v == 1 { 5 } else { v });
+                let values = frame.layout().on_table().map(|ball| frame.value(ball));
+                let left = values.map(|v| if v == 1 { 5 } else { v });
                 Kind::Points { lead, left: f64::from(left.sum::<i32>()) }
             }
         };

@@ -1,11 +1,8 @@
 //! Which balls the two players have to pot to win.
 
-use carom_rules::games::GameState;
-use carom_rules::games::eight_ball::Group;
-use carom_rules::games::snooker::{On, value};
-use carom_rules::{BallIndex, Frame, MOST_BALLS, Seat, Turn};
-
-use crate::targets::EIGHT;
+use carom_rules::games::eight_ball::{EIGHT, Group};
+use carom_rules::games::snooker::On;
+use carom_rules::{BallIndex, Frame, Objective, Seat, Turn};
 
 /// A set of balls: bit k for ball k. A frame has at most 22 balls.
 pub(crate) type BallMask = u32;
@@ -41,8 +38,8 @@ enum Order {
     /// The balls of the player's group in any order, then the eight. `None` is an open table.
     Group(Option<Seat>),
     /// Snooker: a red, then a colour of the player's choice, which is spotted again; at last the colours in
-    /// ascending order.
-    RedsAndColors(On),
+    /// ascending order. With the reds on the table.
+    RedsAndColors(On, BallMask),
     /// Any.
     Free,
 }
@@ -52,19 +49,22 @@ impl Needs {
     pub(crate) fn of(frame: &Frame, turn: &Turn) -> Self {
         let all = set_of(frame.layout().on_table().filter(|ball| *ball != turn.cue));
         let shared = |order: Order| Self { all, groups: [all; 2], last: 0, order };
-        let game = match frame.game_state() {
-            GameState::EightBall(game) => game,
-            GameState::Rotation(_) => return shared(Order::Numbers),
-            GameState::Snooker(game) => return shared(Order::RedsAndColors(game.on())),
-            _ => return shared(Order::Free),
-        };
+        match frame.facts().objective {
+            Objective::LowestFirst => return shared(Order::Numbers),
+            Objective::RedsAndColors => {
+                let reds = set_of(frame.layout().on_table().filter(|b| frame.value(*b) == 1));
+                return shared(Order::RedsAndColors(frame.kind_on().unwrap_or_default(), reds));
+            }
+            Objective::AnyBall | Objective::Caroms => return shared(Order::Free),
+            Objective::Groups => {}
+        }
         let of_group =
             |group: Group| set_of((1..=15).filter(|b| Group::of(*b) == Some(group))) & all;
-        let groups = match game.group(0) {
+        let groups = match frame.group(0) {
             None | Some(Group::Solids) => [Group::Solids, Group::Stripes],
             Some(Group::Stripes) => [Group::Stripes, Group::Solids],
         };
-        let owner = game.group(turn.player).map(|_| turn.player);
+        let owner = frame.group(turn.player).map(|_| turn.player);
         let order = Order::Group(owner);
         Self { all, groups: groups.map(of_group), last: only(EIGHT) & all, order }
     }
@@ -91,8 +91,7 @@ impl Needs {
             // The lowest bit.
             Order::Numbers => return left & left.wrapping_neg(),
             Order::Free => return left,
-            Order::RedsAndColors(on) => {
-                let reds = self.all & set_of((0..).take(MOST_BALLS).filter(|b| value(*b) == 1));
+            Order::RedsAndColors(on, reds) => {
                 let colors = self.all & !reds;
                 let is_red = reds & only(ball) != 0;
                 return match on {
@@ -119,14 +118,14 @@ impl Needs {
 
 #[cfg(test)]
 mod tests {
-    use carom_rules::{Frame, Options, Rules};
+    use carom_rules::{Frame, Game, Options};
 
     use super::{Needs, only, set_of};
 
     /// What is needed in a frame with these balls beside the cue ball. The first pot of eight-ball has
     /// not been made, so the table is open.
-    fn needs(rules: Rules, balls: &[u16]) -> Needs {
-        let mut frame = Frame::new(rules, Options::default(), None, None, 0).unwrap();
+    fn needs(game: Game, balls: &[u16]) -> Needs {
+        let mut frame = Frame::new(game, Options::default(), None, None, 0).unwrap();
         let mut places = vec![None; frame.layout().len()];
         places[0] = Some([0.3, 0.3]);
         for ball in balls {
@@ -138,7 +137,7 @@ mod tests {
 
     #[test]
     fn the_group_of_the_first_pot_is_needed_next_and_then_the_eight() {
-        let needs = needs(Rules::EightBall, &[1, 2, 8, 9]);
+        let needs = needs(Game::EightBall, &[1, 2, 8, 9]);
         assert!(needs.is_open());
         assert_eq!(needs.after(1), only(2));
         assert_eq!(needs.after(9), only(8));
@@ -152,17 +151,17 @@ mod tests {
     #[test]
     fn a_color_follows_a_red_in_snooker_and_at_last_they_fall_in_their_order() {
         let colors = set_of(16..=21);
-        let reds_left = needs(Rules::Snooker, &[1, 2, 16, 17, 18, 19, 20, 21]);
+        let reds_left = needs(Game::Snooker, &[1, 2, 16, 17, 18, 19, 20, 21]);
         assert_eq!(reds_left.after(1), colors);
-        let none_left = needs(Rules::Snooker, &[16, 17, 18, 19, 20, 21]);
+        let none_left = needs(Game::Snooker, &[16, 17, 18, 19, 20, 21]);
         assert_eq!(none_left.after(16), only(17));
-        assert_eq!(needs(Rules::Snooker, &[21]).after(21), 0);
+        assert_eq!(needs(Game::Snooker, &[21]).after(21), 0);
     }
 
     #[test]
     fn the_lowest_ball_is_next_in_nine_ball_and_nothing_after_the_nine() {
-        let needs = needs(Rules::NineBall, &[3, 7, 9]);
+        let needs = needs(Game::NineBall, &[3, 7, 9]);
         assert_eq!(needs.after(3), only(7));
-        assert_eq!(self::needs(Rules::NineBall, &[9]).after(9), 0);
+        assert_eq!(self::needs(Game::NineBall, &[9]).after(9), 0);
     }
 }

@@ -292,7 +292,7 @@ fn fold(x: f64, half: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use carom::Noise;
-    use carom_rules::{Frame, Options, Rules};
+    use carom_rules::{Frame, Game, Options};
 
     use super::{Ease, Ways, fold};
     use crate::line::{Line, straight_to_pocket};
@@ -301,7 +301,7 @@ mod tests {
 
     /// A frame of nine-ball with these balls, the first of them the cue ball.
     fn frame(places: &[(usize, [f64; 2])]) -> Frame {
-        let mut frame = Frame::new(Rules::NineBall, Options::default(), None, None, 0).unwrap();
+        let mut frame = Frame::new(Game::NineBall, Options::default(), None, None, 0).unwrap();
         let mut all = vec![None; frame.layout().len()];
         places.iter().for_each(|(ball, place)| all[*ball] = Some(*place));
         frame.resume_at(&all, 0).unwrap();

@@ -6,7 +6,7 @@ use carom::event::{Event, Recorder};
 use carom::noise::{Errors, Perception};
 use carom::{Noise, Shot};
 use carom_plan::{Prepared, Sampler};
-use carom_rules::{BallIndex, Frame, FrameSimulator, Play, Request, Rules, Ruling};
+use carom_rules::{BallIndex, Frame, FrameSimulator, Game, Play, Request, Ruling};
 
 use support::{Dice, any_calls, positions};
 
@@ -38,13 +38,13 @@ fn assert_same(successor: &Frame, ruling: &Ruling, expected: &(Frame, Ruling)) {
 
 #[test]
 fn every_call_on_one_simulation_gives_the_successor_of_a_play_with_that_call() {
-    for rules in Rules::ALL {
+    for game in Game::ALL {
         let (mut sampler, mut dice) = (Sampler::new(), Dice::new(2));
         let mut ended = [0; 3];
         // The memory of a successor is used again, for positions of any kind.
-        let mut successor = Frame::new(Rules::Snooker, Default::default(), None, None, 1)
+        let mut successor = Frame::new(Game::Snooker, Default::default(), None, None, 1)
             .expect("the game's own table");
-        for (frame, play) in positions(rules, 40, shots()) {
+        for (frame, play) in positions(game, 40, shots()) {
             let prepared = Prepared::new(&frame, play.cue_ball).expect("a place with room");
             sampler.simulate(&prepared, &play.strike).expect("it can be played");
             let shot = frame.shot(&play).expect("it can be played");
@@ -60,15 +60,15 @@ fn every_call_on_one_simulation_gives_the_successor_of_a_play_with_that_call() {
                 }] += 1;
             }
         }
-        assert!(ended[0] > 0 && ended[2] > 0, "{rules:?}: {ended:?}");
+        assert!(ended[0] > 0 && ended[2] > 0, "{game:?}: {ended:?}");
     }
 }
 
 #[test]
 fn a_successor_is_that_of_the_shot_that_the_frame_plays_itself() {
-    for rules in Rules::ALL {
+    for game in Game::ALL {
         let (mut sampler, mut successor) = (Sampler::new(), None);
-        for (frame, play) in positions(rules, 77, shots() / 4) {
+        for (frame, play) in positions(game, 77, shots() / 4) {
             let strike = carom_rules::through_degrees(&play.strike);
             let prepared = Prepared::new(&frame, play.cue_ball).expect("a place with room");
             sampler.simulate(&prepared, &strike).expect("it can be played");
@@ -94,9 +94,9 @@ fn a_variant_is_that_of_the_engine_with_its_strike_its_layout_and_its_cling() {
         (clinging, seen),
     ] {
         let errors = Errors { noise: noise.clone(), perception, seed: 9 };
-        for rules in Rules::ALL {
+        for game in Game::ALL {
             let mut sampler = Sampler::new();
-            for (k, (frame, play)) in (0..).zip(positions(rules, 5, shots() / 10)) {
+            for (k, (frame, play)) in (0..).zip(positions(game, 5, shots() / 10)) {
                 let prepared = Prepared::new(&frame, play.cue_ball).expect("a place with room");
                 sampler.simulate_variant(&prepared, &play.strike, &errors, k).expect("by the law");
                 let mut successor = frame.clone();
@@ -126,7 +126,7 @@ impl Recorder for CountingRecorder {
 #[test]
 fn a_further_recorder_gets_every_event() {
     let mut sampler = Sampler::new();
-    for (frame, play) in positions(Rules::EightBall, 3, 10) {
+    for (frame, play) in positions(Game::EightBall, 3, 10) {
         let prepared = Prepared::new(&frame, play.cue_ball).expect("a place with room");
         let mut count = CountingRecorder(0);
         sampler.simulate_recorded(&prepared, &play.strike, &mut count).expect("it can be played");
@@ -137,7 +137,7 @@ fn a_further_recorder_gets_every_event() {
 
 #[test]
 fn what_cannot_be_ruled_is_refused_and_leaves_the_successor_alone() {
-    let (frame, play) = positions(Rules::NineBall, 3, 1).remove(0);
+    let (frame, play) = positions(Game::NineBall, 3, 1).remove(0);
     let prepared = Prepared::new(&frame, play.cue_ball).expect("a place with room");
     let mut sampler = Sampler::new();
     let mut successor = frame.clone();

@@ -3,7 +3,7 @@
 use carom::Simulator;
 use carom::math::{Vec2, atan2};
 use carom::resolve::cue_ball::Strike;
-use carom_rules::{BallIndex, Call, Frame, Options, Play, Request, Rules, Turn};
+use carom_rules::{BallIndex, Call, Frame, Game, Options, Play, Request, Turn};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
 
@@ -92,11 +92,11 @@ pub(crate) fn any_calls(frame: &Frame, turn: &Turn, dice: &mut Dice) -> Vec<Call
 
 /// Frames that ask for a shot, with a play of each: `count` shots of random play of a game.
 /// A frame that ends is followed by another.
-pub(crate) fn positions(rules: Rules, seed: u64, count: usize) -> Vec<(Frame, Play)> {
+pub(crate) fn positions(game: Game, seed: u64, count: usize) -> Vec<(Frame, Play)> {
     let mut dice = Dice::new(seed);
     // A few points and a short patience, so that frames end.
     let options = Options { points: 8, patience: 8, ..Options::default() };
-    let racked = |seed| Frame::new(rules, options, None, None, seed).expect("the game's own table");
+    let racked = |seed| Frame::new(game, options, None, None, seed).expect("the game's own table");
     let mut frame = racked(seed);
     let mut found = Vec::new();
     while found.len() < count {

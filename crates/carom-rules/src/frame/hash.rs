@@ -13,7 +13,7 @@ impl Frame {
     /// engine gives the same value on every platform.
     pub fn hash(&self) -> u64 {
         let mut hasher = WordHasher::default();
-        hasher.text(self.rules.name());
+        hasher.text(self.game.name());
         hasher.text(&with_dated_names(&self.base().to_node()).to_json_line());
         let mut bytes = Vec::new();
         self.write_to(&mut bytes);
@@ -28,32 +28,32 @@ mod tests {
 
     use carom::format::Node;
 
-    use crate::games::GameState;
+    use crate::options::Options;
     use crate::request::{Choice, Request};
-    use crate::rules::{Options, Rules};
     use crate::{Frame, Region};
+    use carom::rack::Game;
 
     /// What is changed, and the change.
     type Change = (&'static str, fn(&mut Frame));
 
-    fn frame(rules: Rules) -> Frame {
-        Frame::new(rules, Options::default(), None, None, 7).expect("a frame")
+    fn frame(game: Game) -> Frame {
+        Frame::new(game, Options::default(), None, None, 7).expect("a frame")
     }
 
     #[test]
     fn the_same_frame_has_the_same_hash_and_every_game_another() {
         let mut seen = std::collections::BTreeSet::new();
-        for rules in Rules::ALL {
-            let first = frame(rules);
-            assert_eq!(first.hash(), frame(rules).hash());
+        for game in Game::ALL {
+            let first = frame(game);
+            assert_eq!(first.hash(), frame(game).hash());
             assert_eq!(first.hash(), first.clone().hash());
-            assert!(seen.insert(first.hash()), "{}", rules.name());
+            assert!(seen.insert(first.hash()), "{}", game.name());
         }
     }
 
     #[test]
     fn each_part_of_the_state_changes_the_hash() {
-        let base = frame(Rules::EightBall);
+        let base = frame(Game::EightBall);
         let changes: [Change; 23] = [
             ("a place, by one bit", |f| {
                 let [x, y] = f.layout().place(3).expect("on the table");
@@ -81,9 +81,11 @@ mod tests {
             ("the cap", |f| *f = f.clone().with_max_events(5)),
             ("progress", |f| {
                 let state = &f.state;
-                f.stalemates.update(f.rules, state, 1);
+                f.stalemates.update(crate::GameFacts::of(f.game), state, 1);
             }),
-            ("the state of the game", |f| f.game_state = GameState::new(Rules::StraightPool)),
+            ("the state of the game", |f| {
+                f.game_state = (crate::GameFacts::of(Game::StraightPool).state)()
+            }),
             ("a choice", |f| {
                 f.request = Request::choice(0, &[Choice::PlayOn, Choice::Rebreak], "one")
             }),
@@ -115,14 +117,14 @@ mod tests {
         let with = |table: Option<&str>, physics: Option<&str>| {
             let node = |text: &str| Node::from(text);
             let (table, physics) = (table.map(node), physics.map(node));
-            Frame::new(Rules::NineBall, Options::default(), table, physics, 7).expect("it").hash()
+            Frame::new(Game::NineBall, Options::default(), table, physics, 7).expect("it").hash()
         };
         let usual = with(None, None);
         assert_eq!(usual, with(Some("wpa-9ft"), None));
         assert_eq!(usual, with(Some("wpa-9ft"), Some("pool")));
         assert_ne!(usual, with(None, Some("pool-new-cloth")));
         assert_ne!(usual, with(Some("wpa-8ft"), None));
-        let mut other = frame(Rules::NineBall);
+        let mut other = frame(Game::NineBall);
         let policy = carom::shot::StrikePolicy::from_names("refuse", "refuse").expect("policies");
         let base = other.state.base.with_strike_policy(policy).expect("a shot without a strike");
         other.state.base = Arc::new(base);

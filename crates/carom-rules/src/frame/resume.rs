@@ -1,16 +1,12 @@
 //! Frames that start from given places of the balls.
 
+use carom::rack::Game;
 use carom::shot::PlacedBall;
 use carom::{Error, MotionState, Shot};
 
 use super::Frame;
-use crate::games::snooker;
-use crate::layout::BallIndex;
-use crate::rules::{Options, Rules};
+use crate::options::Options;
 use crate::seat::Seat;
-
-/// Fewest object balls in straight pool; with fewer, the others are racked again (WPA 4.4).
-const LEAST_IN_STRAIGHT_POOL: usize = 2;
 
 impl Frame {
     /// A frame on the table and with the physics of `shot` that continues, as with
@@ -20,10 +16,10 @@ impl Frame {
     /// # Errors
     /// As [`Self::new`] and [`Self::resume_at`]; [`Error::Input`] for a ball that the game does not
     /// have, with a mass or radius other than the game's, or that is not at rest.
-    pub fn of_shot(rules: Rules, options: Options, shot: &Shot) -> Result<Self, Error> {
+    pub fn of_shot(game: Game, options: Options, shot: &Shot) -> Result<Self, Error> {
         let file = shot.to_node();
         let (table, physics) = (file.get("table").cloned(), file.get("physics").cloned());
-        let mut frame = Self::new(rules, options, table, physics, 0)?;
+        let mut frame = Self::new(game, options, table, physics, 0)?;
         let places = frame.places_of(shot)?;
         frame.resume_at(&places, 0)?;
         Ok(frame)
@@ -78,7 +74,7 @@ impl Frame {
             let what = format!("there is no player {seat}");
             return Err(Error::input("player", what, "write 0 or 1"));
         }
-        if let Some(what) = missing(self.rules, places) {
+        if let Some(what) = self.game_state.rules().missing(places) {
             return wrong(what, "give the missing balls places on the table");
         }
         for (ball, place) in (0..).zip(places) {
@@ -87,32 +83,5 @@ impl Frame {
         self.stalemates.restart(&self.state);
         self.request = self.game_state.rules_mut().resume(&self.state, seat);
         Ok(())
-    }
-}
-
-/// Describes missing balls that must be on the table while the game continues; none if all are
-/// there.
-fn missing(rules: Rules, places: &[Option<[f64; 2]>]) -> Option<String> {
-    let is_down = |ball: BallIndex| places[usize::from(ball)].is_none();
-    if let Some(ball) = rules.deciding_ball() {
-        return is_down(ball).then(|| format!("the {ball} is down"));
-    }
-    match rules {
-        Rules::StraightPool => {
-            let left = places[1..].iter().flatten().count();
-            let few = left < LEAST_IN_STRAIGHT_POOL;
-            few.then(|| format!("of the object balls only {left} are left"))
-        }
-        Rules::Snooker => {
-            let red_left = snooker::REDS.into_iter().any(|red| !is_down(red));
-            let next = snooker::COLORS.into_iter().find(|color| red_left || !is_down(*color));
-            let next = next.unwrap_or(snooker::BLACK);
-            let gone = (next..=snooker::BLACK).find(|color| is_down(*color))?;
-            Some(format!("the colour of {} points is down", snooker::value(gone)))
-        }
-        Rules::ThreeCushion => {
-            places.contains(&None).then(|| "a ball is not on the table".to_owned())
-        }
-        _ => None,
     }
 }

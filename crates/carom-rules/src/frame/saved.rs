@@ -11,7 +11,7 @@ impl Frame {
     /// Appends everything that [`Self::read_same`] needs to continue this frame with the same bits. The
     /// game, the table and the physics are not among it.
     pub fn write_to(&self, out: &mut Vec<u8>) {
-        let Self { rules: _, game_state, state, request, stalemates, shots } = self;
+        let Self { game: _, game_state, state, request, stalemates, shots } = self;
         state.write_to(out);
         game_state.write_to(out);
         request.write_to(out);
@@ -33,14 +33,7 @@ impl Frame {
             Request::Choice { choices, .. } => !choices.is_empty(),
             Request::Over { .. } => true,
         };
-        is_whole.then_some(Self {
-            rules: self.rules,
-            game_state,
-            state,
-            request,
-            stalemates,
-            shots,
-        })
+        is_whole.then_some(Self { game: self.game, game_state, state, request, stalemates, shots })
     }
 
     /// The same frame without its seed, for a player: the racks to come are others than those of the
@@ -62,7 +55,7 @@ impl Frame {
 mod tests {
     use carom::resolve::cue_ball::Strike;
 
-    use crate::{Frame, FrameSimulator, Options, Play, Request, Rules};
+    use crate::{Frame, FrameSimulator, Game, Options, Play, Request};
 
     /// Plays `shots` shots in different directions; every choice is answered by its first option.
     fn play_on(frame: &mut Frame, shots: u32) {
@@ -93,27 +86,27 @@ mod tests {
 
     #[test]
     fn a_frame_of_every_game_continues_from_its_bytes_with_the_same_bits() {
-        for rules in Rules::ALL {
+        for game in Game::ALL {
             let options = Options { patience: 6, ..Options::default() };
-            let mut frame = Frame::new(rules, options, None, None, 5).expect("a frame");
-            let template = Frame::new(rules, Options::default(), None, None, 0).expect("a frame");
+            let mut frame = Frame::new(game, options, None, None, 5).expect("a frame");
+            let template = Frame::new(game, Options::default(), None, None, 0).expect("a frame");
             for _ in 0..6 {
                 let mut bytes = Vec::new();
                 frame.write_to(&mut bytes);
                 let mut rest = &bytes[..];
                 let mut read = template.read_same(&mut rest).expect("a frame");
-                assert!(rest.is_empty(), "{}", rules.name());
-                assert_eq!(format!("{read:?}"), format!("{frame:?}"), "{}", rules.name());
+                assert!(rest.is_empty(), "{}", game.name());
+                assert_eq!(format!("{read:?}"), format!("{frame:?}"), "{}", game.name());
                 play_on(&mut read, 4);
                 play_on(&mut frame, 4);
-                assert_eq!(format!("{read:?}"), format!("{frame:?}"), "{}", rules.name());
+                assert_eq!(format!("{read:?}"), format!("{frame:?}"), "{}", game.name());
             }
         }
     }
 
     #[test]
     fn cut_or_changed_bytes_give_no_frame_or_one_that_can_be_used() {
-        let frame = Frame::new(Rules::Snooker, Options::default(), None, None, 5).expect("a frame");
+        let frame = Frame::new(Game::Snooker, Options::default(), None, None, 5).expect("a frame");
         let mut whole = Vec::new();
         frame.write_to(&mut whole);
         for end in 0..whole.len() {

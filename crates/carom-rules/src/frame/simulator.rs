@@ -19,10 +19,10 @@ use crate::ruling::Ruling;
 ///
 /// ```
 /// use carom::resolve::cue_ball::Strike;
-/// use carom_rules::{Call, Frame, FrameSimulator, Options, Prepared, Rules};
+/// use carom_rules::{Call, Frame, FrameSimulator, Options, Prepared, Game};
 ///
 /// # fn main() -> Result<(), carom::Error> {
-/// let frame = Frame::new(Rules::NineBall, Options::default(), None, None, 7)?;
+/// let frame = Frame::new(Game::NineBall, Options::default(), None, None, 7)?;
 /// let prepared = Prepared::new(&frame, Some([0.635, 0.6]))?;
 /// let strike = Strike { speed: 8.0, azimuth: 1.57, elevation: 0.0, side: 0.0, height: 0.0 };
 /// let mut simulator = FrameSimulator::new();

@@ -1,10 +1,10 @@
 //! Detects stalemates: frames without progress.
 
-use crate::rules::Rules;
+use crate::games::{GameFacts, Stalemate};
 use crate::state::FrameState;
 use crate::state_bytes::StateBytes;
 
-/// The stalemate that ends a frame. After an earlier one the balls are racked again.
+/// The stalemate that ends every frame.
 const LAST_STALEMATE: u32 = 2;
 
 /// The progress of a frame so far.
@@ -33,14 +33,6 @@ impl StateBytes for StalemateCounter {
     }
 }
 
-/// The consequence of a stalemate.
-pub(super) enum Stalemate {
-    /// The balls are racked again, and the first breaker breaks.
-    Rerack,
-    /// The frame ends undecided.
-    End,
-}
-
 impl StalemateCounter {
     pub(super) fn new(state: &FrameState) -> Self {
         Self { idle: 0, fewest: Self::left(state), best_scores: [0; 2], stalemates: 0 }
@@ -56,7 +48,7 @@ impl StalemateCounter {
     /// there is one (WPA 1.12).
     pub(super) fn update(
         &mut self,
-        rules: Rules,
+        facts: &GameFacts,
         state: &FrameState,
         shots: u32,
     ) -> Option<Stalemate> {
@@ -65,7 +57,7 @@ impl StalemateCounter {
             self.fewest = left;
         }
         let better = (0..2).any(|seat| state.scores[seat] > self.best_scores[seat]);
-        let progress = if rules.is_scored_by_shots() { better } else { left < self.fewest };
+        let progress = if facts.has_target() { better } else { left < self.fewest };
         self.fewest = self.fewest.min(left);
         self.best_scores = [0, 1].map(|seat| self.best_scores[seat].max(state.scores[seat]));
         self.idle = if progress { 0 } else { self.idle + shots };
@@ -74,8 +66,7 @@ impl StalemateCounter {
         }
         self.idle = 0;
         self.stalemates += 1;
-        let rerack = self.stalemates < LAST_STALEMATE && rules.is_racked_after_stalemate();
-        Some(if rerack { Stalemate::Rerack } else { Stalemate::End })
+        Some(if self.stalemates < LAST_STALEMATE { facts.stalemate } else { Stalemate::End })
     }
 
     fn left(state: &FrameState) -> usize {

@@ -1,8 +1,12 @@
 //! Eight-ball (WPA, section 3).
 
 use carom::format::Node;
+use carom::rack::Game;
 
+use super::GameState;
+use super::facts::{BREAK, GameFacts, Objective, RandomStart, Scoring, Stalemate};
 use super::game::{GameRules, PlayedShot};
+pub use super::group::Group;
 use super::pool::{self, BALLS_TO_RAIL};
 use crate::layout::{BallIndex, BallList, FrameLayout};
 use crate::play::Call;
@@ -13,34 +17,31 @@ use crate::seat::{self, Seat};
 use crate::state::FrameState;
 use crate::state_bytes::state_bytes;
 
-const EIGHT: BallIndex = 8;
+/// The ball that decides the rack.
+pub const EIGHT: BallIndex = 8;
 
-/// The seven balls that a player must pocket before the eight.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Group {
-    /// 1 to 7.
-    Solids,
-    /// 9 to 15.
-    Stripes,
-}
-
-impl Group {
-    /// The group of `ball`; `None` for the eight and the cue ball.
-    pub const fn of(ball: BallIndex) -> Option<Self> {
-        match ball {
-            1..=7 => Some(Self::Solids),
-            9..=15 => Some(Self::Stripes),
-            _ => None,
-        }
-    }
-
-    fn balls(self) -> impl Iterator<Item = BallIndex> {
-        match self {
-            Self::Solids => 1..=7,
-            Self::Stripes => 9..=15,
-        }
-    }
-}
+pub(crate) const FACTS: GameFacts = GameFacts {
+    game: Game::EightBall,
+    players: 2,
+    balls: 16,
+    own_cue_balls: false,
+    objective: Objective::Groups,
+    deciding_ball: Some(EIGHT),
+    scoring: Scoring::LastBall,
+    opening: BREAK,
+    stalemate: Stalemate::Rerack,
+    random_start: Some(RandomStart {
+        count: [1, 15],
+        always: &[pool::CUE, EIGHT],
+        drawn: Some([1, 15]),
+        racked: None,
+    }),
+    lag: true,
+    miss: false,
+    conceded: false,
+    rule: |foul| pool::rule(foul, "WPA 3.3"),
+    state: || GameState::EightBall(EightBall::default()),
+};
 
 /// A rack of eight-ball.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -56,12 +57,6 @@ pub struct EightBall {
 state_bytes!(struct EightBall { solids_of, breaker, is_break });
 
 impl EightBall {
-    /// The group of `seat`; none while the table is open, and for a seat other than 0 and 1.
-    pub fn group(&self, seat: Seat) -> Option<Group> {
-        let solids = self.solids_of.filter(|_| seat <= 1)?;
-        Some(if solids == seat { Group::Solids } else { Group::Stripes })
-    }
-
     /// The balls on. On an open table these are all balls but the eight (WPA 3.4). Once one group
     /// is off the table, the player may claim it by calling the eight (2025: 4.4), so the eight is
     /// on too.
@@ -170,6 +165,10 @@ impl GameRules for EightBall {
         self.next(state, seat, None)
     }
 
+    fn missing(&self, places: &[Option<[f64; 2]>]) -> Option<String> {
+        pool::missing(EIGHT, places)
+    }
+
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
         state.ruling.fouls = pool::standard_fouls(shot);
         let from_behind = pool::HeadStringShot::of(state, shot);
@@ -218,6 +217,20 @@ impl GameRules for EightBall {
         }
     }
 
+    fn group(&self, seat: Seat) -> Option<Group> {
+        let solids = self.solids_of.filter(|_| seat <= 1)?;
+        Some(if solids == seat { Group::Solids } else { Group::Stripes })
+    }
+
+    fn describe(&self, _: &FrameLayout) -> Option<String> {
+        let line = match self.group(0) {
+            None => "The table is open.",
+            Some(Group::Solids) => "Player 0 has 1 to 7, player 1 has 9 to 15.",
+            Some(Group::Stripes) => "Player 0 has 9 to 15, player 1 has 1 to 7.",
+        };
+        Some(line.into())
+    }
+
     fn to_node(&self, _: &FrameState) -> Node {
         let group = |seat| match self.group(seat) {
             Some(Group::Solids) => Node::from("solids"),
@@ -225,18 +238,5 @@ impl GameRules for EightBall {
             None => Node::Null,
         };
         Node::object([("groups", Node::List(vec![group(0), group(1)]))])
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Group;
-
-    #[test]
-    fn each_group_has_seven_balls() {
-        for group in [Group::Solids, Group::Stripes] {
-            assert_eq!(group.balls().count(), 7);
-            assert!(group.balls().all(|ball| Group::of(ball) == Some(group)));
-        }
     }
 }

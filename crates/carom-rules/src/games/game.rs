@@ -4,6 +4,8 @@ use carom::format::Node;
 use carom::outcome::{Outcome, Touched};
 use carom::table::PocketName;
 
+use super::group::Group;
+use super::snooker::On;
 use crate::layout::{BallIndex, FrameLayout};
 use crate::play::Call;
 use crate::referee::{CueBallTravel, NearHit};
@@ -121,6 +123,9 @@ pub(crate) trait GameRules {
     /// shoots next.
     fn resume(&mut self, state: &FrameState, seat: Seat) -> Request;
 
+    /// Describes balls that have no place but must be on the table while the game continues; none if all are there.
+    fn missing(&self, places: &[Option<[f64; 2]>]) -> Option<String>;
+
     /// Rules on a shot: writes the ruling into `state` and returns the next request. The balls
     /// already are where they came to rest.
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request;
@@ -130,6 +135,26 @@ pub(crate) trait GameRules {
 
     /// Whether the next shot is the opening shot of a rack, which has rules of its own.
     fn is_opening(&self) -> bool;
+
+    /// The group of `seat`; none while the table is open, and in games without groups.
+    fn group(&self, _: Seat) -> Option<Group> {
+        None
+    }
+
+    /// The kind of ball that is on in snooker.
+    fn kind_on(&self) -> Option<On> {
+        None
+    }
+
+    /// Points for `ball` in snooker: 1 for a red, 2 to 7 for a colour.
+    fn value(&self, _: BallIndex) -> i32 {
+        0
+    }
+
+    /// The state that only this game has, as sentences.
+    fn describe(&self, _: &FrameLayout) -> Option<String> {
+        None
+    }
 
     /// The state that only this game has, for reports.
     fn to_node(&self, _: &FrameState) -> Node {

@@ -8,7 +8,6 @@ use crate::markings::{head_string, spot_named};
 use crate::referee::NearHit;
 use crate::region::Region;
 use crate::request::{Calls, Request, Turn};
-use crate::rules::Rules;
 use crate::ruling::{Foul, Fouls};
 use crate::seat::Seat;
 use crate::state::FrameState;
@@ -23,7 +22,8 @@ pub(crate) const BALLS_TO_RAIL: usize = 4;
 pub(crate) const SERIOUS: u32 = 3;
 
 /// The WPA's number of the rule (Rules of Play, 15 March 2016).
-pub(crate) const fn rule(rules: Rules, foul: Foul) -> &'static str {
+/// `soft_break` is that of a soft break, which each game has.
+pub(crate) const fn rule(foul: Foul, soft_break: &'static str) -> &'static str {
     match foul {
         Foul::Scratch | Foul::CueBallOffTable => "WPA 6.1",
         Foul::WrongBallFirst => "WPA 6.2",
@@ -31,12 +31,7 @@ pub(crate) const fn rule(rules: Rules, foul: Foul) -> &'static str {
         Foul::BallOffTable => "WPA 6.5",
         Foul::DoubleHit | Foul::PushShot => "WPA 6.7",
         Foul::BehindHeadString => "WPA 6.11",
-        Foul::SoftBreak => match rules {
-            Rules::EightBall => "WPA 3.3",
-            Rules::TenBall => "WPA 9.3",
-            Rules::StraightPool => "WPA 4.10",
-            _ => "WPA 2.3",
-        },
+        Foul::SoftBreak => soft_break,
         _ => "",
     }
 }
@@ -122,6 +117,11 @@ pub(crate) fn spot(state: &mut FrameState, ball: BallIndex) {
     let foot = spot_named(base.table(), "foot", 0.75);
     layout.spot(ball, foot, base.table(), |other| other == CUE);
     ruling.spotted.push(ball);
+}
+
+/// Describes the deciding ball, if it has no place.
+pub(crate) fn missing(deciding: BallIndex, places: &[Option<[f64; 2]>]) -> Option<String> {
+    places[usize::from(deciding)].is_none().then(|| format!("the {deciding} is down"))
 }
 
 /// The request for a shot. A cue ball that is off the table is in hand anywhere, if `hand` is none.

@@ -1,5 +1,9 @@
 //! Practice: no fouls, and one player shoots until all object balls are down.
 
+use carom::rack::Game;
+
+use super::GameState;
+use super::facts::{BREAK, GameFacts, Objective, Scoring, Stalemate};
 use super::game::{GameRules, PlayedShot};
 use super::pool::{self, CUE};
 use crate::layout::BallList;
@@ -8,6 +12,24 @@ use crate::request::{Calls, Choice, Request};
 use crate::seat::Seat;
 use crate::state::FrameState;
 use crate::state_bytes::state_bytes;
+
+pub(crate) const FACTS: GameFacts = GameFacts {
+    game: Game::Practice,
+    players: 1,
+    balls: 16,
+    own_cue_balls: false,
+    objective: Objective::AnyBall,
+    deciding_ball: None,
+    scoring: Scoring::LastBall,
+    opening: BREAK,
+    stalemate: Stalemate::End,
+    random_start: None,
+    lag: false,
+    miss: false,
+    conceded: false,
+    rule: |_| "",
+    state: || GameState::Practice(Practice::default()),
+};
 
 /// A practice table.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -31,6 +53,10 @@ impl GameRules for Practice {
     fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {
         self.is_opening = false;
         pool::shot(state, seat, None, BallList::new(), Calls::NONE)
+    }
+
+    fn missing(&self, _: &[Option<[f64; 2]>]) -> Option<String> {
+        None
     }
 
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {

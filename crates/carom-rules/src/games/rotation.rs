@@ -1,5 +1,9 @@
 //! Nine-ball (WPA, section 2) and ten-ball (section 9): the lowest ball must be hit first.
 
+use carom::rack::Game;
+
+use super::GameState;
+use super::facts::{BREAK, GameFacts, Objective, RandomStart, Scoring, Stalemate};
 use super::game::{GameRules, PlayedShot};
 use super::pool::{self, BALLS_TO_RAIL, CUE};
 use crate::layout::{BallIndex, BallList};
@@ -10,6 +14,44 @@ use crate::ruling::Foul;
 use crate::seat::{self, Seat};
 use crate::state::FrameState;
 use crate::state_bytes::state_bytes;
+
+pub(crate) const NINE_BALL: GameFacts = GameFacts {
+    game: Game::NineBall,
+    players: 2,
+    balls: 10,
+    own_cue_balls: false,
+    objective: Objective::LowestFirst,
+    deciding_ball: Some(9),
+    scoring: Scoring::LastBall,
+    opening: BREAK,
+    stalemate: Stalemate::Rerack,
+    random_start: Some(RandomStart {
+        count: [1, 9],
+        always: &[CUE, 9],
+        drawn: Some([1, 9]),
+        racked: None,
+    }),
+    lag: true,
+    miss: false,
+    conceded: false,
+    rule: |foul| pool::rule(foul, "WPA 2.3"),
+    state: || GameState::Rotation(Rotation { last: 9, called: false, is_break: true }),
+};
+
+pub(crate) const TEN_BALL: GameFacts = GameFacts {
+    game: Game::TenBall,
+    balls: 11,
+    deciding_ball: Some(10),
+    random_start: Some(RandomStart {
+        count: [1, 10],
+        always: &[CUE, 10],
+        drawn: Some([1, 10]),
+        racked: None,
+    }),
+    rule: |foul| pool::rule(foul, "WPA 9.3"),
+    state: || GameState::Rotation(Rotation { last: 10, called: true, is_break: true }),
+    ..NINE_BALL
+};
 
 /// Nine-ball or ten-ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,14 +67,6 @@ pub struct Rotation {
 state_bytes!(struct Rotation { last, called, is_break });
 
 impl Rotation {
-    pub(crate) const fn nine_ball() -> Self {
-        Self { last: 9, called: false, is_break: true }
-    }
-
-    pub(crate) const fn ten_ball() -> Self {
-        Self { last: 10, called: true, is_break: true }
-    }
-
     /// The ball on: the lowest on the table.
     fn lowest(&self, state: &FrameState) -> BallList {
         state.layout.on_table().find(|ball| *ball != CUE).into_iter().collect()
@@ -64,6 +98,10 @@ impl GameRules for Rotation {
     fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {
         self.is_break = false;
         self.next(state, seat, None, false)
+    }
+
+    fn missing(&self, places: &[Option<[f64; 2]>]) -> Option<String> {
+        pool::missing(self.last, places)
     }
 
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {

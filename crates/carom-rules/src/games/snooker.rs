@@ -6,7 +6,10 @@ mod spots;
 mod stroke;
 
 use carom::format::Node;
+use carom::rack::Game;
 
+use super::GameState;
+use super::facts::{GameFacts, Objective, Opening, OpeningKind, RandomStart, Scoring, Stalemate};
 use super::game::{GameRules, PlayedShot};
 use crate::layout::{BallIndex, BallList, BallPlaces, FrameLayout};
 use crate::region::Region;
@@ -16,7 +19,7 @@ use crate::seat::{self, Seat};
 use crate::state::FrameState;
 use crate::state_bytes::state_bytes;
 
-use balls::CUE;
+use balls::{CUE, YELLOW};
 use stroke::Stroke;
 
 pub(crate) use balls::{BLACK, COLORS, REDS};
@@ -27,7 +30,7 @@ pub use balls::{On, value};
 const MISSES: u32 = 3;
 
 /// The number of the rule that sets the penalty (WPBSA, rules of snooker, section 3).
-pub(crate) const fn rule(foul: Foul) -> &'static str {
+const fn rule(foul: Foul) -> &'static str {
     match foul {
         Foul::DoubleHit => "WPBSA 3.10(a)(ii)",
         Foul::NoContact => "WPBSA 3.10(a)(vi)",
@@ -41,6 +44,29 @@ pub(crate) const fn rule(foul: Foul) -> &'static str {
         _ => "",
     }
 }
+
+pub(crate) const FACTS: GameFacts = GameFacts {
+    game: Game::Snooker,
+    players: 2,
+    balls: 22,
+    own_cue_balls: false,
+    objective: Objective::RedsAndColors,
+    deciding_ball: None,
+    scoring: Scoring::Points { maximum: 147 },
+    opening: Opening { kind: OpeningKind::Safety, speeds: [2.0, 7.0] },
+    stalemate: Stalemate::Restart, // WPBSA, section 3, rule 16
+    random_start: Some(RandomStart {
+        count: [0, 15],
+        always: &[CUE],
+        drawn: Some([1, 15]),
+        racked: Some([YELLOW, BLACK]),
+    }),
+    lag: false,
+    miss: true,
+    conceded: true,
+    rule,
+    state: || GameState::Snooker(Snooker::default()),
+};
 
 /// A frame of snooker.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -71,11 +97,6 @@ state_bytes!(struct Snooker { on, is_opening, free_ball, break_points, misses, b
 state_bytes!(struct TableBefore { places, turn, on, free_ball });
 
 impl Snooker {
-    /// The kind of ball that is on.
-    pub const fn on(&self) -> On {
-        self.on
-    }
-
     /// Whether the player to shoot has a free ball.
     pub const fn has_free_ball(&self) -> bool {
         self.free_ball
@@ -212,6 +233,14 @@ impl GameRules for Snooker {
         self.turn(state, seat, None)
     }
 
+    fn missing(&self, places: &[Option<[f64; 2]>]) -> Option<String> {
+        let is_down = |ball: BallIndex| places[usize::from(ball)].is_none();
+        let red_left = REDS.into_iter().any(|red| !is_down(red));
+        let next = COLORS.into_iter().find(|color| red_left || !is_down(*color)).unwrap_or(BLACK);
+        let gone = (next..=BLACK).find(|color| is_down(*color))?;
+        Some(format!("the colour of {} points is down", value(gone)))
+    }
+
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
         self.is_opening = false;
         let (seat, opponent) = (shot.seat(), shot.opponent());
@@ -263,6 +292,25 @@ impl GameRules for Snooker {
                 self.turn(state, seat, None)
             }
         }
+    }
+
+    fn kind_on(&self) -> Option<On> {
+        Some(self.on)
+    }
+
+    fn value(&self, ball: BallIndex) -> i32 {
+        value(ball)
+    }
+
+    fn describe(&self, layout: &FrameLayout) -> Option<String> {
+        let on = match self.on {
+            _ if self.free_ball => "a free ball",
+            On::Red => "a red",
+            On::Color => "a colour",
+            On::Sequence => "the colours in order",
+        };
+        let (made, left) = (self.break_points, self.points_left(layout));
+        Some(format!("On: {on}. Break: {made} points. Left on the table: {left} points."))
     }
 
     fn to_node(&self, state: &FrameState) -> Node {

@@ -2,8 +2,10 @@
 
 use carom::Table;
 use carom::math::sqrt;
-use carom::rack::USUAL_GAP;
+use carom::rack::{Game, USUAL_GAP};
 
+use super::GameState;
+use super::facts::{GameFacts, Objective, Opening, OpeningKind, RandomStart, Scoring, Stalemate};
 use super::game::{GameRules, PlayedShot};
 use super::pool::{self, CUE};
 use crate::layout::{BallIndex, BallList, FrameLayout};
@@ -26,6 +28,32 @@ const SERIOUS_FOUL: i32 = -15;
 
 /// Object balls that the opening break must drive to a rail, besides the cue ball (WPA 4.3).
 const OPENING_BALLS: usize = 2;
+
+/// Fewest object balls; with fewer, the others are racked again (WPA 4.4).
+const LEAST_BALLS: usize = 2;
+
+pub(crate) const FACTS: GameFacts = GameFacts {
+    game: Game::StraightPool,
+    players: 2,
+    balls: 16,
+    own_cue_balls: false,
+    objective: Objective::AnyBall,
+    deciding_ball: None,
+    scoring: Scoring::Target { usual: 100, negative: true, equal_innings: false },
+    opening: Opening { kind: OpeningKind::Safety, speeds: [1.0, 8.0] },
+    stalemate: Stalemate::Rerack,
+    random_start: Some(RandomStart {
+        count: [LEAST_BALLS, 15],
+        always: &[CUE],
+        drawn: Some([1, 15]),
+        racked: None,
+    }),
+    lag: true,
+    miss: false,
+    conceded: false,
+    rule: |foul| pool::rule(foul, "WPA 4.10"),
+    state: || GameState::StraightPool(StraightPool::default()),
+};
 
 /// A game of straight pool.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -115,6 +143,11 @@ impl GameRules for StraightPool {
     fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {
         *self = Self::default();
         Self::next(state, seat, None)
+    }
+
+    fn missing(&self, places: &[Option<[f64; 2]>]) -> Option<String> {
+        let left = places[1..].iter().flatten().count();
+        (left < LEAST_BALLS).then(|| format!("of the object balls only {left} are left"))
     }
 
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {

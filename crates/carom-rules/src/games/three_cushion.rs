@@ -3,8 +3,11 @@
 use carom::Table;
 use carom::format::Node;
 use carom::outcome::{Outcome, Touched};
+use carom::rack::Game;
 use carom::table::Rail;
 
+use super::GameState;
+use super::facts::{GameFacts, Objective, Opening, OpeningKind, RandomStart, Scoring, Stalemate};
 use super::game::{GameRules, PlayedShot};
 use crate::layout::{BallIndex, BallList, FROZEN, FrameLayout};
 use crate::markings::spot_named;
@@ -22,7 +25,7 @@ const RED: BallIndex = 2;
 const CUSHIONS: usize = 3;
 
 /// The article of the UMB's World rules of carom billiard (1 January 1989).
-pub(crate) const fn rule(foul: Foul) -> &'static str {
+const fn rule(foul: Foul) -> &'static str {
     match foul {
         Foul::WrongBallFirst | Foul::IndirectStart => "UMB 23",
         Foul::Push => "UMB 27",
@@ -31,6 +34,29 @@ pub(crate) const fn rule(foul: Foul) -> &'static str {
         _ => "",
     }
 }
+
+pub(crate) const FACTS: GameFacts = GameFacts {
+    game: Game::ThreeCushion,
+    players: 2,
+    balls: 3,
+    own_cue_balls: true,
+    objective: Objective::Caroms,
+    deciding_ball: None,
+    scoring: Scoring::Target { usual: 40, negative: false, equal_innings: true },
+    opening: Opening { kind: OpeningKind::Carom, speeds: [1.6, 7.0] },
+    stalemate: Stalemate::End,
+    random_start: Some(RandomStart {
+        count: [2, 2],
+        always: &[0, 1, RED],
+        drawn: None,
+        racked: None,
+    }),
+    lag: false,
+    miss: false,
+    conceded: false,
+    rule,
+    state: || GameState::ThreeCushion(ThreeCushion::default()),
+};
 
 /// A match of three-cushion.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -137,6 +163,10 @@ impl GameRules for ThreeCushion {
         Self::next(state, seat)
     }
 
+    fn missing(&self, places: &[Option<[f64; 2]>]) -> Option<String> {
+        places.contains(&None).then(|| "a ball is not on the table".to_owned())
+    }
+
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
         let seat = shot.seat();
         let touched = &shot.outcome.cue_ball_touched;
@@ -174,6 +204,11 @@ impl GameRules for ThreeCushion {
             Self::spot(state, &balls, seat);
         }
         Self::turn(seat, BallList::new())
+    }
+
+    fn describe(&self, _: &FrameLayout) -> Option<String> {
+        let [one, other] = self.innings;
+        Some(format!("Innings: player 0 {one}, player 1 {other}."))
     }
 
     fn to_node(&self, _: &FrameState) -> Node {

@@ -1,13 +1,12 @@
 //! Eight-ball (WPA, section 3).
 
 use super::{CORNER, SIDE, Scenario, assert_fouls, hit};
-use crate::games::GameState;
 use crate::games::eight_ball::Group;
-use crate::{Call, Choice, Foul, Region, Rules, Seat};
+use crate::{Call, Choice, Foul, Game, Region, Seat};
 
 /// After a break that pocketed the 3: player 0 shoots again, and the table is open.
 fn open_table() -> Scenario {
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     let ruling = scenario.play(Call::Nothing, hit(&[1]).potting(3, CORNER));
     assert!(ruling.is_legal());
     assert_eq!(scenario.asks(0).hand, None);
@@ -26,15 +25,12 @@ fn solids() -> Scenario {
 }
 
 fn group(scenario: &Scenario, seat: Seat) -> Option<Group> {
-    match scenario.0.game_state() {
-        GameState::EightBall(game) => game.group(seat),
-        other => panic!("{other:?}"),
-    }
+    scenario.0.group(seat)
 }
 
 #[test]
 fn the_break_is_from_behind_the_head_string_without_a_call() {
-    let scenario = Scenario::of(Rules::EightBall);
+    let scenario = Scenario::of(Game::EightBall);
     let turn = scenario.asks(0);
     assert_eq!(turn.hand, Some(Region::BehindHeadString));
     assert!(!turn.calls.pocket && !turn.calls.required);
@@ -42,12 +38,12 @@ fn the_break_is_from_behind_the_head_string_without_a_call() {
 
 #[test]
 fn a_break_without_a_pocketed_ball_needs_four_balls_to_a_rail() {
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     let ruling = scenario.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3]));
     assert_fouls(&ruling, &[Foul::SoftBreak]);
     scenario.offers(1, &[Choice::PlayOn, Choice::Rebreak, Choice::RebreakByOther]);
 
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     assert!(scenario.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3, 4])).is_legal());
     scenario.asks(1);
 }
@@ -55,12 +51,12 @@ fn a_break_without_a_pocketed_ball_needs_four_balls_to_a_rail() {
 #[test]
 fn after_a_soft_break_the_other_player_may_choose_who_breaks_again() {
     for (choice, breaker) in [(Choice::Rebreak, 1), (Choice::RebreakByOther, 0)] {
-        let mut scenario = Scenario::of(Rules::EightBall);
+        let mut scenario = Scenario::of(Game::EightBall);
         scenario.play(Call::Nothing, hit(&[1]).driving(&[1]));
         assert!(scenario.choose(choice).racked);
         assert_eq!(scenario.asks(breaker).hand, Some(Region::BehindHeadString));
     }
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     scenario.play(Call::Nothing, hit(&[1]).driving(&[1]));
     scenario.choose(Choice::PlayOn);
     assert_eq!(scenario.asks(1).hand, None);
@@ -68,7 +64,7 @@ fn after_a_soft_break_the_other_player_may_choose_who_breaks_again() {
 
 #[test]
 fn after_the_eight_on_the_break_the_breaker_chooses_to_spot_it_or_to_break_again() {
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     assert!(scenario.play(Call::Nothing, hit(&[1]).potting(8, SIDE)).is_legal());
     scenario.offers(0, &[Choice::SpotEight, Choice::Rebreak]);
     assert!(scenario.0.keeps_turn(0) && !scenario.0.keeps_turn(1));
@@ -79,7 +75,7 @@ fn after_the_eight_on_the_break_the_breaker_chooses_to_spot_it_or_to_break_again
 
 #[test]
 fn after_the_eight_and_a_scratch_on_the_break_the_other_player_chooses() {
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     let ruling = scenario.play(Call::Nothing, hit(&[1]).potting(8, SIDE).potting(0, CORNER));
     assert_fouls(&ruling, &[Foul::Scratch]);
     scenario.offers(1, &[Choice::SpotEight, Choice::Rebreak]);
@@ -89,7 +85,7 @@ fn after_the_eight_and_a_scratch_on_the_break_the_other_player_chooses() {
 
 #[test]
 fn after_a_scratch_on_the_break_the_other_player_shoots_from_hand_without_a_choice() {
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     scenario.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
     assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
     assert!(scenario.is_down(3), "a pocketed ball stays down");
@@ -97,7 +93,7 @@ fn after_a_scratch_on_the_break_the_other_player_shoots_from_hand_without_a_choi
 
 #[test]
 fn a_ball_off_the_table_on_the_break_stays_off_and_the_eight_is_spotted() {
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     let ruling = scenario.play(Call::Nothing, hit(&[1]).losing(5).losing(8).driving(&[1, 2]));
     assert_fouls(&ruling, &[Foul::BallOffTable]);
     assert_eq!(ruling.spotted, [8]);
@@ -226,7 +222,7 @@ fn balls_of_the_own_group_driven_off_the_table_count_as_pocketed() {
 
 #[test]
 fn a_player_who_breaks_again_has_the_choices_of_a_breaker() {
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     scenario.play(Call::Nothing, hit(&[1]).driving(&[1]));
     scenario.choose(Choice::Rebreak);
     scenario.play(Call::Nothing, hit(&[1]).potting(8, SIDE));
@@ -237,7 +233,7 @@ fn a_player_who_breaks_again_has_the_choices_of_a_breaker() {
 
 #[test]
 fn after_a_foul_on_the_break_the_table_may_be_played_as_it_lies() {
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     scenario.play(Call::Nothing, hit(&[1]).potting(3, SIDE).losing(4));
     scenario.choose(Choice::PlayOn);
     assert_eq!(scenario.asks(1).hand, None);
@@ -255,12 +251,12 @@ fn the_head_string_restricts_only_the_first_shot_after_the_break() {
 
 #[test]
 fn a_soft_break_with_another_foul_offers_a_new_break_or_the_cue_ball_in_hand() {
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     let ruling = scenario.play(Call::Nothing, hit(&[1]).driving(&[1]).potting(0, CORNER));
     assert_fouls(&ruling, &[Foul::Scratch, Foul::SoftBreak]);
     scenario.offers(1, &[Choice::PlayFromHand, Choice::Rebreak, Choice::RebreakByOther]);
 
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     let ruling = scenario.play(Call::Nothing, hit(&[]).no_rail());
     assert_fouls(&ruling, &[Foul::NoContact, Foul::SoftBreak]);
     let all = [Choice::PlayOn, Choice::PlayFromHand, Choice::Rebreak, Choice::RebreakByOther];
@@ -269,14 +265,14 @@ fn a_soft_break_with_another_foul_offers_a_new_break_or_the_cue_ball_in_hand() {
 
 #[test]
 fn balls_off_the_table_count_as_driven_to_a_rail() {
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     let ruling = scenario.play(Call::Nothing, hit(&[1]).driving(&[1, 2, 3]).losing(4));
     assert_fouls(&ruling, &[Foul::BallOffTable]);
 }
 
 #[test]
 fn after_the_eight_on_a_break_with_a_foul_the_cue_ball_is_in_hand() {
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     let ruling = scenario.play(Call::Nothing, hit(&[1]).potting(8, SIDE).losing(4));
     assert_fouls(&ruling, &[Foul::BallOffTable]);
     let mut racked = Scenario(scenario.0.clone());
@@ -321,7 +317,7 @@ fn consecutive_fouls_do_not_count_in_eight_ball() {
 #[test]
 fn with_all_legal_balls_behind_the_head_string_the_nearest_may_be_spotted() {
     let mut scenario =
-        Scenario::of(Rules::EightBall).without((1..=15).filter(|b| ![3, 8, 9].contains(b)));
+        Scenario::of(Game::EightBall).without((1..=15).filter(|b| ![3, 8, 9].contains(b)));
     scenario.0.put(3, Some([0.3, 0.3]));
     scenario.0.put(9, Some([0.9, 0.4]));
     scenario.play(Call::Nothing, hit(&[3]).driving(&[1, 2, 4, 5]).potting(0, CORNER));
@@ -414,13 +410,13 @@ fn a_foul_without_the_eight_does_not_lose_the_rack() {
 
 #[test]
 fn from_behind_the_head_string_a_ball_behind_it_must_not_be_hit_directly() {
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     scenario.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
     scenario.0.put(9, Some([0.3, 0.3]));
     let ruling = scenario.play(Call::Pocket(9, SIDE), hit(&[9]).reaching(0.4));
     assert_fouls(&ruling, &[Foul::BehindHeadString]);
 
-    let mut scenario = Scenario::of(Rules::EightBall);
+    let mut scenario = Scenario::of(Game::EightBall);
     scenario.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
     scenario.0.put(9, Some([0.3, 0.3]));
     assert!(scenario.play(Call::Pocket(9, SIDE), hit(&[9]).reaching(1.2)).is_legal());
@@ -429,7 +425,7 @@ fn from_behind_the_head_string_a_ball_behind_it_must_not_be_hit_directly() {
 #[test]
 fn from_behind_the_head_string_the_cue_ball_must_cross_it_or_hit_a_ball_beyond_it() {
     let from_hand = || {
-        let mut scenario = Scenario::of(Rules::EightBall);
+        let mut scenario = Scenario::of(Game::EightBall);
         scenario.play(Call::Nothing, hit(&[1]).potting(3, SIDE).potting(0, CORNER));
         scenario
     };

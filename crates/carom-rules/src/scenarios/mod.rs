@@ -15,7 +15,7 @@ use carom::table::{PocketName, Rail};
 use crate::markings::distance;
 use crate::referee::{CueBallTravel, NearHit};
 use crate::{
-    BallIndex, Call, Choice, Foul, Frame, Options, Play, Request, Rules, Ruling, Seat, Turn,
+    BallIndex, Call, Choice, Foul, Frame, Game, Options, Play, Request, Ruling, Seat, Turn,
 };
 
 /// A ball within this distance of a spot is on it, m.
@@ -28,12 +28,12 @@ const SIDE: PocketName = PocketName::Right;
 struct Scenario(Frame);
 
 impl Scenario {
-    fn of(rules: Rules) -> Self {
-        Self::with(rules, Options::default())
+    fn of(game: Game) -> Self {
+        Self::with(game, Options::default())
     }
 
-    fn with(rules: Rules, options: Options) -> Self {
-        Self(Frame::new(rules, options, None, None, 1).expect("the game's own table"))
+    fn with(game: Game, options: Options) -> Self {
+        Self(Frame::new(game, options, None, None, 1).expect("the game's own table"))
     }
 
     fn turn(&self) -> &Turn {
@@ -217,7 +217,7 @@ fn assert_fouls(ruling: &Ruling, expected: &[Foul]) {
 
 #[test]
 fn every_pool_foul_has_a_rule_number_and_a_description() {
-    for rules in [Rules::EightBall, Rules::NineBall, Rules::TenBall, Rules::StraightPool] {
+    for game in [Game::EightBall, Game::NineBall, Game::TenBall, Game::StraightPool] {
         for foul in [
             Foul::Scratch,
             Foul::CueBallOffTable,
@@ -230,7 +230,11 @@ fn every_pool_foul_has_a_rule_number_and_a_description() {
             Foul::DoubleHit,
             Foul::PushShot,
         ] {
-            assert!(rules.rule(foul).starts_with("WPA "), "{foul:?} in {}", rules.name());
+            assert!(
+                crate::GameFacts::of(game).rule(foul).starts_with("WPA "),
+                "{foul:?} in {}",
+                game.name()
+            );
             assert!(!foul.words().is_empty());
         }
     }
@@ -238,7 +242,7 @@ fn every_pool_foul_has_a_rule_number_and_a_description() {
 
 #[test]
 fn names_of_games_and_choices_are_read_back() {
-    assert!(Rules::ALL.into_iter().all(|rules| Rules::named(rules.name()) == Some(rules)));
+    assert!(Game::ALL.into_iter().all(|game| Game::named(game.name()) == Some(game)));
     assert!(Choice::ALL.into_iter().all(|choice| Choice::named(choice.name()) == Some(choice)));
-    assert_eq!(Rules::named("nine ball"), None);
+    assert_eq!(Game::named("nine ball"), None);
 }

@@ -5,7 +5,7 @@ mod free_ball;
 use super::{CORNER, SIDE, Scenario, assert_fouls, hit};
 use crate::games::GameState;
 use crate::games::snooker::{On, Snooker};
-use crate::{BallIndex, Call, Choice, Foul, Frame, Options, Region, Rules};
+use crate::{BallIndex, Call, Choice, Foul, Frame, Game, Options, Region};
 
 const RED: BallIndex = 1;
 const YELLOW: BallIndex = 16;
@@ -25,10 +25,10 @@ fn game(scenario: &Scenario) -> &Snooker {
 
 /// Player 0 has pocketed a red, so a colour is on.
 fn after_a_red() -> Scenario {
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     let ruling = scenario.play(NOTHING, hit(&[RED]).potting(RED, CORNER));
     assert_eq!(ruling.points, [1, 0]);
-    assert_eq!(game(&scenario).on(), On::Color);
+    assert_eq!(scenario.0.kind_on(), Some(On::Color));
     scenario.asks(0);
     scenario
 }
@@ -38,14 +38,14 @@ fn on_the_colors() -> Scenario {
     let mut scenario = after_a_red().without(2..=15);
     let ruling = scenario.play(Call::On(BLACK), hit(&[BLACK]).potting(BLACK, CORNER));
     assert_eq!((ruling.points, &ruling.spotted[..]), ([7, 0], &[BLACK][..]));
-    assert_eq!(game(&scenario).on(), On::Sequence);
+    assert_eq!(scenario.0.kind_on(), Some(On::Sequence));
     assert_eq!(scenario.asks(0).on, [YELLOW]);
     scenario
 }
 
 #[test]
 fn the_first_shot_is_played_from_the_d_at_the_reds() {
-    let scenario = Scenario::of(Rules::Snooker);
+    let scenario = Scenario::of(Game::Snooker);
     assert_eq!(scenario.asks(0).hand, Some(Region::TheD));
     assert_eq!(scenario.turn().on.len(), 15);
 }
@@ -56,13 +56,13 @@ fn reds_and_colors_alternate_and_colors_are_spotted() {
     assert!(scenario.turn().calls.nominate);
     let ruling = scenario.play(Call::On(PINK), hit(&[PINK]).potting(PINK, SIDE));
     assert_eq!((ruling.points, &ruling.spotted[..]), ([6, 0], &[PINK][..]));
-    assert_eq!((game(&scenario).on(), game(&scenario).break_points()), (On::Red, 7));
+    assert_eq!((scenario.0.kind_on(), game(&scenario).break_points()), (Some(On::Red), 7));
     assert_eq!(scenario.asks(0).on.len(), 14);
 }
 
 #[test]
 fn several_reds_in_one_stroke_count_one_each() {
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     let happened = hit(&[RED]).potting(RED, CORNER).potting(5, SIDE);
     assert_eq!(scenario.play(NOTHING, happened).points, [2, 0]);
 }
@@ -85,11 +85,11 @@ fn a_miss_of_the_pot_passes_the_turn() {
 #[test]
 fn a_foul_costs_four_or_the_value_of_the_ball_concerned() {
     let foul = |scenario: &mut Scenario, call, happened| scenario.play(call, happened).points;
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     assert_eq!(foul(&mut scenario, NOTHING, hit(&[])), [0, 4]);
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     assert_eq!(foul(&mut scenario, NOTHING, hit(&[BLUE])), [0, 5]);
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     assert_eq!(foul(&mut scenario, NOTHING, hit(&[RED]).potting(PINK, SIDE)), [0, 6]);
     let mut scenario = after_a_red();
     assert_eq!(
@@ -99,13 +99,13 @@ fn a_foul_costs_four_or_the_value_of_the_ball_concerned() {
     );
     let mut scenario = after_a_red();
     assert_eq!(foul(&mut scenario, Call::On(YELLOW), hit(&[YELLOW]).potting(2, SIDE)), [0, 4]);
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     assert_eq!(foul(&mut scenario, NOTHING, hit(&[RED]).losing(BLACK)), [0, 7]);
 }
 
 #[test]
 fn a_scratch_gives_the_cue_ball_in_the_d() {
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     let ruling = scenario.play(NOTHING, hit(&[RED]).potting(0, SIDE));
     assert_fouls(&ruling, &[Foul::Scratch]);
     scenario.choose(Choice::PlayOn);
@@ -114,9 +114,9 @@ fn a_scratch_gives_the_cue_ball_in_the_d() {
 
 #[test]
 fn a_jump_over_a_ball_is_a_foul() {
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     assert_fouls(&scenario.play(NOTHING, hit(&[RED]).jumping(true)), &[Foul::Jump]);
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     assert!(
         scenario.play(NOTHING, hit(&[RED]).jumping(false)).is_legal(),
         "after a contact it is not a foul"
@@ -141,21 +141,21 @@ fn after_a_foul_and_a_miss_the_balls_may_be_replaced() {
     scenario.offers(1, &[Choice::PlayOn, Choice::PassBack, Choice::Replace]);
     scenario.choose(Choice::Replace);
     assert_eq!(*scenario.0.layout(), before);
-    assert_eq!(game(&scenario).on(), On::Color);
+    assert_eq!(scenario.0.kind_on(), Some(On::Color));
     assert!(scenario.asks(0).calls.nominate);
     assert_eq!(scenario.0.scores(), [1, 5], "the points are kept");
 }
 
 #[test]
 fn no_miss_is_called_when_the_ball_on_was_hit_first() {
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     scenario.play(NOTHING, hit(&[RED]).potting(0, SIDE));
     scenario.offers(1, &[Choice::PlayOn, Choice::PassBack]);
 }
 
 /// Whether a foul of player 0 that hits no ball on is called a miss at these scores.
 fn is_miss_at(scores: [i32; 2], options: Options) -> bool {
-    let mut scenario = Scenario::with(Rules::Snooker, options).without(2..=15);
+    let mut scenario = Scenario::with(Game::Snooker, options).without(2..=15);
     scenario.0.set_scores(scores);
     scenario.play(NOTHING, hit(&[]));
     match scenario.0.request() {
@@ -167,19 +167,19 @@ fn is_miss_at(scores: [i32; 2], options: Options) -> bool {
 #[test]
 fn no_miss_is_called_when_a_player_needs_penalty_points_or_could_only_tie() {
     // The red and the colours left are worth 35 points.
-    let rules = Options::default();
-    assert!(is_miss_at([0, 0], rules));
-    assert!(is_miss_at([0, 30], rules), "34 behind after the foul");
-    assert!(!is_miss_at([0, 31], rules), "35 behind after the foul");
-    assert!(!is_miss_at([0, 36], rules), "36 behind before it");
-    assert!(is_miss_at([34, 0], rules));
-    assert!(!is_miss_at([35, 0], rules), "the other player could tie");
-    assert!(!is_miss_at([0, 0], Options { miss: false, ..rules }), "the option excludes misses");
+    let game = Options::default();
+    assert!(is_miss_at([0, 0], game));
+    assert!(is_miss_at([0, 30], game), "34 behind after the foul");
+    assert!(!is_miss_at([0, 31], game), "35 behind after the foul");
+    assert!(!is_miss_at([0, 36], game), "36 behind before it");
+    assert!(is_miss_at([34, 0], game));
+    assert!(!is_miss_at([35, 0], game), "the other player could tie");
+    assert!(!is_miss_at([0, 0], Options { miss: false, ..game }), "the option excludes misses");
 }
 
 #[test]
 fn after_a_miss_with_a_full_ball_in_sight_the_next_miss_is_called_at_any_score() {
-    let mut scenario = Scenario::of(Rules::Snooker).without(2..=15);
+    let mut scenario = Scenario::of(Game::Snooker).without(2..=15);
     scenario.0.put(RED, Some([0.5, 2.4]));
     scenario.0.set_scores([0, 30]);
     for _ in 0..2 {
@@ -194,7 +194,7 @@ fn after_a_miss_with_a_full_ball_in_sight_the_next_miss_is_called_at_any_score()
 
 #[test]
 fn the_count_of_misses_restarts_when_the_balls_are_not_replaced() {
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     for choice in [Choice::Replace, Choice::PassBack, Choice::Replace, Choice::Replace] {
         scenario.play(NOTHING, hit(&[BLACK]));
         scenario.choose(choice);
@@ -221,14 +221,14 @@ fn points_left_are_a_black_with_every_red_and_the_colors() {
         Some(carom::format::Node::Integer(points)) => *points,
         other => panic!("{other:?}"),
     };
-    assert_eq!(left(&Scenario::of(Rules::Snooker)), 147);
+    assert_eq!(left(&Scenario::of(Game::Snooker)), 147);
     assert_eq!(left(&after_a_red()), 146);
     assert_eq!(left(&on_the_colors()), 27);
 }
 
 #[test]
 fn three_misses_in_a_row_with_a_ball_in_sight_lose_the_frame() {
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     for _ in 0..2 {
         scenario.play(NOTHING, hit(&[BLACK]));
         scenario.choose(Choice::Replace);
@@ -239,7 +239,7 @@ fn three_misses_in_a_row_with_a_ball_in_sight_lose_the_frame() {
 
 /// Player 0 is snookered after a foul: the blue is between the cue ball and the only red.
 fn snookered() -> Scenario {
-    let mut scenario = Scenario::of(Rules::Snooker).without(2..=15);
+    let mut scenario = Scenario::of(Game::Snooker).without(2..=15);
     scenario.play(NOTHING, hit(&[RED]));
     scenario.0.put(0, Some([0.889, 0.9]));
     scenario.0.put(BLUE, Some([0.889, 1.0]));
@@ -298,7 +298,7 @@ fn a_color_without_room_above_its_spot_goes_below_it() {
 
 #[test]
 fn colors_off_the_table_are_spotted_and_the_cue_ball_is_in_hand_in_the_d() {
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     let own = scenario.0.layout().place(BLUE);
     let ruling = scenario.play(NOTHING, hit(&[RED]).losing(RED).losing(BLUE).losing(0));
     assert_fouls(&ruling, &[Foul::CueBallOffTable, Foul::BallOffTable]);
@@ -315,7 +315,7 @@ fn colors_off_the_table_are_spotted_and_the_cue_ball_is_in_hand_in_the_d() {
 
 /// The cue ball touches `ball`: the gap is a hair, as when balls come to rest. A red is elsewhere.
 fn touching(ball: BallIndex) -> Scenario {
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     scenario.play(NOTHING, hit(&[RED]));
     let diameter = 2.0 * scenario.0.base().physics().ball.radius;
     scenario.0.put(0, Some([0.5, 1.0]));
@@ -393,12 +393,12 @@ fn a_tie_is_decided_by_a_respotted_black() {
 
 #[test]
 fn after_the_color_that_follows_the_last_red_the_yellow_is_on() {
-    let mut scenario = Scenario::of(Rules::Snooker).without(2..=15);
+    let mut scenario = Scenario::of(Game::Snooker).without(2..=15);
     scenario.play(NOTHING, hit(&[RED]).potting(RED, SIDE));
     assert_eq!(scenario.turn().on.len(), 6, "any colour");
     assert!(scenario.play(Call::On(GREEN), hit(&[GREEN])).is_legal());
     assert_eq!(scenario.asks(1).on, [YELLOW]);
-    let mut scenario = Scenario::of(Rules::Snooker).without(2..=15);
+    let mut scenario = Scenario::of(Game::Snooker).without(2..=15);
     scenario.play(NOTHING, hit(&[RED]).potting(RED, SIDE));
     let ruling = scenario.play(Call::On(GREEN), hit(&[GREEN]).potting(GREEN, SIDE));
     assert_eq!((ruling.points, &ruling.spotted[..]), ([3, 0], &[GREEN][..]));
@@ -407,7 +407,7 @@ fn after_the_color_that_follows_the_last_red_the_yellow_is_on() {
 
 #[test]
 fn the_last_red_with_a_foul_leaves_the_yellow_on() {
-    let mut scenario = Scenario::of(Rules::Snooker).without(2..=15);
+    let mut scenario = Scenario::of(Game::Snooker).without(2..=15);
     let ruling = scenario.play(NOTHING, hit(&[RED]).potting(RED, SIDE).potting(0, CORNER));
     assert_eq!(ruling.points, [0, 4], "the red does not count");
     scenario.choose(Choice::PlayOn);
@@ -416,7 +416,7 @@ fn the_last_red_with_a_foul_leaves_the_yellow_on() {
 
 #[test]
 fn only_the_highest_penalty_of_several_fouls_is_paid() {
-    let paid = |happened| Scenario::of(Rules::Snooker).play(NOTHING, happened).points;
+    let paid = |happened| Scenario::of(Game::Snooker).play(NOTHING, happened).points;
     assert_eq!(paid(hit(&[BLUE]).potting(PINK, SIDE).potting(0, CORNER)), [0, 6]);
     assert_eq!(paid(hit(&[YELLOW]).potting(GREEN, SIDE)), [0, 4]);
     assert_eq!(paid(hit(&[RED]).potting(RED, SIDE).potting(BLACK, CORNER).losing(BLUE)), [0, 7]);
@@ -451,7 +451,7 @@ fn after_a_foul_on_a_color_the_reds_are_on_for_a_player_asked_to_play_again() {
 
 #[test]
 fn after_a_miss_a_cue_ball_from_hand_is_replaced_where_it_was_played_from() {
-    let mut scenario = Scenario::of(Rules::Snooker);
+    let mut scenario = Scenario::of(Game::Snooker);
     scenario.play(NOTHING, hit(&[BLACK]));
     scenario.choose(Choice::Replace);
     let turn = scenario.asks(0);
@@ -525,7 +525,7 @@ fn playing_away_from_a_touching_color_hits_it_only_if_it_is_nominated() {
 }
 
 fn on(table: &str) -> Result<Frame, carom::Error> {
-    Frame::new(Rules::Snooker, Options::default(), Some(table.into()), None, 1)
+    Frame::new(Game::Snooker, Options::default(), Some(table.into()), None, 1)
 }
 
 #[test]

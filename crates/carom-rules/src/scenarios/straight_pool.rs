@@ -1,13 +1,13 @@
 //! Straight pool (WPA, section 4).
 
 use super::{CORNER, SIDE, Scenario, assert_fouls, hit};
-use crate::{BallIndex, Call, Choice, Foul, Options, Region, Rules};
+use crate::{BallIndex, Call, Choice, Foul, Game, Options, Region};
 
 const SAFE: Call = Call::Safety;
 
 /// After a safe opening break: player 1 shoots.
 fn opened() -> Scenario {
-    let mut scenario = Scenario::of(Rules::StraightPool);
+    let mut scenario = Scenario::of(Game::StraightPool);
     assert!(scenario.play(SAFE, hit(&[5]).driving(&[1, 2])).is_legal());
     assert_eq!(scenario.asks(1).hand, None);
     scenario
@@ -16,7 +16,7 @@ fn opened() -> Scenario {
 #[test]
 fn the_opening_break_drives_the_cue_ball_and_two_balls_to_a_rail() {
     for driven in [&[1][..], &[]] {
-        let mut scenario = Scenario::of(Rules::StraightPool);
+        let mut scenario = Scenario::of(Game::StraightPool);
         let ruling = scenario.play(SAFE, hit(&[5]).driving(driven));
         assert_fouls(&ruling, &[Foul::SoftBreak]);
         assert_eq!(ruling.points, [-2, 0]);
@@ -28,16 +28,16 @@ fn the_opening_break_drives_the_cue_ball_and_two_balls_to_a_rail() {
 
 #[test]
 fn on_the_opening_break_the_cue_ball_must_touch_a_rail_after_the_rack() {
-    let mut scenario = Scenario::of(Rules::StraightPool);
+    let mut scenario = Scenario::of(Game::StraightPool);
     let ruling = scenario.play(SAFE, hit(&[]).driving(&[1, 2]).touching(&[-1, 5]));
     assert_fouls(&ruling, &[Foul::SoftBreak]);
-    let mut scenario = Scenario::of(Rules::StraightPool);
+    let mut scenario = Scenario::of(Game::StraightPool);
     assert!(scenario.play(SAFE, hit(&[]).driving(&[1, 2]).touching(&[5, -1])).is_legal());
 }
 
 #[test]
 fn on_the_opening_break_pocketed_balls_count_as_driven_to_a_rail() {
-    let mut scenario = Scenario::of(Rules::StraightPool);
+    let mut scenario = Scenario::of(Game::StraightPool);
     let ruling = scenario.play(SAFE, hit(&[5]).driving(&[1]).potting(2, SIDE));
     assert!(ruling.is_legal());
     assert_eq!((ruling.points, &ruling.spotted[..]), ([0, 0], &[2][..]));
@@ -45,7 +45,7 @@ fn on_the_opening_break_pocketed_balls_count_as_driven_to_a_rail() {
 
 #[test]
 fn a_called_ball_satisfies_the_opening_break_even_with_a_foul() {
-    let mut scenario = Scenario::of(Rules::StraightPool);
+    let mut scenario = Scenario::of(Game::StraightPool);
     let happened = hit(&[5]).driving(&[]).potting(5, CORNER).potting(0, SIDE);
     let ruling = scenario.play(Call::Pocket(5, CORNER), happened);
     assert_fouls(&ruling, &[Foul::Scratch]);
@@ -55,7 +55,7 @@ fn a_called_ball_satisfies_the_opening_break_even_with_a_foul() {
 
 #[test]
 fn a_breaking_foul_includes_a_scratch_and_does_not_count_towards_three_fouls() {
-    let mut scenario = Scenario::of(Rules::StraightPool);
+    let mut scenario = Scenario::of(Game::StraightPool);
     let ruling = scenario.play(SAFE, hit(&[5]).driving(&[]).potting(0, SIDE));
     assert_fouls(&ruling, &[Foul::Scratch, Foul::SoftBreak]);
     assert_eq!(ruling.points, [-2, 0]);
@@ -247,7 +247,7 @@ fn with_the_fifteenth_ball_pocketed_too_all_are_racked() {
 
 #[test]
 fn a_breaker_repeats_a_bad_break_and_loses_two_points_each_time() {
-    let mut scenario = Scenario::of(Rules::StraightPool);
+    let mut scenario = Scenario::of(Game::StraightPool);
     for times in 1..=4 {
         scenario.play(SAFE, hit(&[5]).driving(&[]));
         assert_eq!(scenario.0.scores(), [-2 * times, 0]);
@@ -260,7 +260,7 @@ fn a_breaker_repeats_a_bad_break_and_loses_two_points_each_time() {
 
 #[test]
 fn a_player_who_accepts_the_table_after_a_breaking_foul_has_no_opening_requirements() {
-    let mut scenario = Scenario::of(Rules::StraightPool);
+    let mut scenario = Scenario::of(Game::StraightPool);
     scenario.play(SAFE, hit(&[5]).driving(&[]));
     scenario.choose(Choice::PlayOn);
     assert!(scenario.play(SAFE, hit(&[5])).is_legal());
@@ -339,7 +339,7 @@ fn with_both_last_balls_down_a_cue_ball_in_the_rack_is_in_hand() {
 #[test]
 fn reaching_the_points_wins_in_the_middle_of_a_rack() {
     let options = Options { points: 2, ..Options::default() };
-    let mut scenario = Scenario::with(Rules::StraightPool, options);
+    let mut scenario = Scenario::with(Game::StraightPool, options);
     let happened = hit(&[5]).potting(5, CORNER).potting(6, SIDE);
     scenario.play(Call::Pocket(5, CORNER), happened);
     scenario.is_won_by(0);

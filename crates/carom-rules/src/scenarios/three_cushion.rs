@@ -1,7 +1,7 @@
 //! Three-cushion (UMB).
 
 use super::{Scenario, assert_fouls, hit};
-use crate::{Call, Choice, Foul, Frame, Options, Request, Rules};
+use crate::{Call, Choice, Foul, Frame, Game, Options, Request};
 
 const NOTHING: Call = Call::Nothing;
 
@@ -12,7 +12,7 @@ fn carom(scenario: &Scenario) -> super::DescribedShot {
 }
 
 fn played(order: &[i32]) -> i32 {
-    let mut scenario = Scenario::of(Rules::ThreeCushion);
+    let mut scenario = Scenario::of(Game::ThreeCushion);
     let point = carom(&scenario);
     scenario.play(NOTHING, point);
     scenario.play(NOTHING, hit(&[]).touching(order)).points[0]
@@ -37,7 +37,7 @@ fn a_carom_needs_three_cushions_before_the_second_ball() {
 
 #[test]
 fn a_point_keeps_the_turn_and_a_miss_passes_it_with_the_other_cue_ball() {
-    let mut scenario = Scenario::of(Rules::ThreeCushion);
+    let mut scenario = Scenario::of(Game::ThreeCushion);
     let point = carom(&scenario);
     scenario.play(NOTHING, point);
     assert_eq!(scenario.asks(0).cue, 0);
@@ -47,7 +47,7 @@ fn a_point_keeps_the_turn_and_a_miss_passes_it_with_the_other_cue_ball() {
 
 #[test]
 fn the_starting_shot_must_hit_the_red_first() {
-    let mut scenario = Scenario::of(Rules::ThreeCushion);
+    let mut scenario = Scenario::of(Game::ThreeCushion);
     let ruling = scenario.play(NOTHING, hit(&[]).touching(&[1, -1, -1, -1, 2]));
     assert_fouls(&ruling, &[Foul::WrongBallFirst]);
     assert_eq!(ruling.points, [0, 0]);
@@ -56,10 +56,10 @@ fn the_starting_shot_must_hit_the_red_first() {
 
 #[test]
 fn the_starting_shot_must_hit_the_red_without_a_cushion() {
-    let mut scenario = Scenario::of(Rules::ThreeCushion);
+    let mut scenario = Scenario::of(Game::ThreeCushion);
     let ruling = scenario.play(NOTHING, hit(&[]).touching(&[-1, -1, -1, 2, 1]));
     assert_fouls(&ruling, &[Foul::IndirectStart]);
-    assert_eq!((ruling.points, scenario.0.rules().rule(Foul::IndirectStart)), ([0, 0], "UMB 23"));
+    assert_eq!((ruling.points, scenario.0.facts().rule(Foul::IndirectStart)), ([0, 0], "UMB 23"));
     scenario.asks(1);
     assert!(
         scenario.play(NOTHING, hit(&[]).touching(&[-1, 2])).is_legal(),
@@ -69,7 +69,7 @@ fn the_starting_shot_must_hit_the_red_without_a_cushion() {
 
 #[test]
 fn balls_off_the_table_are_spotted_and_the_shot_scores_nothing() {
-    let mut scenario = Scenario::of(Rules::ThreeCushion);
+    let mut scenario = Scenario::of(Game::ThreeCushion);
     let happened = carom(&scenario).losing(2).losing(0);
     let ruling = scenario.play(NOTHING, happened);
     assert_fouls(&ruling, &[Foul::CueBallOffTable, Foul::BallOffTable]);
@@ -84,7 +84,7 @@ const CENTER: [f64; 2] = [0.71, 1.42];
 #[test]
 fn a_ball_off_the_table_goes_to_its_spot_for_the_next_player() {
     for (ball, spot) in [(2, FOOT), (0, CENTER), (1, HEAD)] {
-        let mut scenario = Scenario::of(Rules::ThreeCushion);
+        let mut scenario = Scenario::of(Game::ThreeCushion);
         for (other, place) in [(0, [0.3, 0.3]), (1, [1.0, 1.0]), (2, [0.3, 2.5])] {
             scenario.0.put(other, Some(place));
         }
@@ -97,14 +97,14 @@ fn a_ball_off_the_table_goes_to_its_spot_for_the_next_player() {
 
 #[test]
 fn a_ball_with_an_occupied_spot_goes_to_the_spot_of_the_occupying_ball() {
-    let mut scenario = Scenario::of(Rules::ThreeCushion);
+    let mut scenario = Scenario::of(Game::ThreeCushion);
     scenario.0.put(0, Some([0.3, 0.3]));
     scenario.0.put(2, Some([0.3, 1.0]));
     scenario.0.put(1, Some([FOOT[0] + 0.02, FOOT[1]]));
     scenario.play(NOTHING, hit(&[2]).losing(2));
     scenario.lies_at(2, HEAD);
 
-    let mut scenario = Scenario::of(Rules::ThreeCushion);
+    let mut scenario = Scenario::of(Game::ThreeCushion);
     for (ball, place) in [(2, [0.3, 1.0]), (1, FOOT), (0, HEAD)] {
         scenario.0.put(ball, Some(place));
     }
@@ -115,7 +115,7 @@ fn a_ball_with_an_occupied_spot_goes_to_the_spot_of_the_occupying_ball() {
 #[test]
 fn playing_at_a_frozen_ball_is_a_foul_and_playing_away_is_not() {
     let frozen = || {
-        let mut scenario = Scenario::of(Rules::ThreeCushion);
+        let mut scenario = Scenario::of(Game::ThreeCushion);
         let radius = scenario.0.base().physics().ball.radius;
         scenario.0.put(1, Some([0.7, 1.0]));
         scenario.0.put(2, Some([0.7 + 2.0 * radius, 1.0]));
@@ -137,7 +137,7 @@ fn playing_at_a_frozen_ball_is_a_foul_and_playing_away_is_not() {
 #[test]
 fn a_cushion_to_which_the_cue_ball_is_frozen_does_not_count() {
     let from_the_top = |order: &[i32]| {
-        let mut scenario = Scenario::of(Rules::ThreeCushion);
+        let mut scenario = Scenario::of(Game::ThreeCushion);
         scenario.play(NOTHING, hit(&[2]));
         let table = scenario.0.base().table();
         let reach = table.reach(scenario.0.base().physics().ball.radius);
@@ -154,7 +154,7 @@ fn a_cushion_to_which_the_cue_ball_is_frozen_does_not_count() {
 
 #[test]
 fn frozen_balls_may_be_spotted() {
-    let mut scenario = Scenario::of(Rules::ThreeCushion);
+    let mut scenario = Scenario::of(Game::ThreeCushion);
     let radius = scenario.0.base().physics().ball.radius;
     scenario.0.put(1, Some([0.7, 1.0]));
     scenario.0.put(2, Some([0.7 + 2.0 * radius, 1.0]));
@@ -173,7 +173,7 @@ fn balls_that_come_to_rest_a_hair_apart_are_frozen_and_may_be_spotted() {
     // Balls never stop within rounding of each other, so exact contact would never offer the
     // choice.
     let stopped = |gap: f64| {
-        let mut scenario = Scenario::of(Rules::ThreeCushion);
+        let mut scenario = Scenario::of(Game::ThreeCushion);
         let radius = scenario.0.base().physics().ball.radius;
         scenario.0.put(1, Some([0.7, 1.0]));
         scenario.0.put(2, Some([0.7 + 2.0 * radius + gap, 1.0]));
@@ -188,7 +188,7 @@ fn balls_that_come_to_rest_a_hair_apart_are_frozen_and_may_be_spotted() {
 
 #[test]
 fn a_cue_ball_frozen_to_both_others_has_all_three_spotted() {
-    let mut scenario = Scenario::of(Rules::ThreeCushion);
+    let mut scenario = Scenario::of(Game::ThreeCushion);
     let diameter = 2.0 * scenario.0.base().physics().ball.radius;
     for (ball, x) in [(0, 0.7 - diameter), (1, 0.7), (2, 0.7 + diameter)] {
         scenario.0.put(ball, Some([x, 1.0]));
@@ -202,7 +202,7 @@ fn a_cue_ball_frozen_to_both_others_has_all_three_spotted() {
 
 #[test]
 fn balls_frozen_to_each_other_but_not_to_the_cue_ball_stay() {
-    let mut scenario = Scenario::of(Rules::ThreeCushion);
+    let mut scenario = Scenario::of(Game::ThreeCushion);
     let diameter = 2.0 * scenario.0.base().physics().ball.radius;
     scenario.0.put(0, Some([0.7 - diameter, 1.0]));
     scenario.0.put(2, Some([0.7, 1.0]));
@@ -213,7 +213,7 @@ fn balls_frozen_to_each_other_but_not_to_the_cue_ball_stay() {
 #[test]
 fn a_table_with_pockets_is_refused() {
     let table = Some("wpa-9ft".into());
-    let refused = Frame::new(Rules::ThreeCushion, Options::default(), table, None, 1);
+    let refused = Frame::new(Game::ThreeCushion, Options::default(), table, None, 1);
     let message = refused.expect_err("a ball could fall").to_string();
     assert!(message.starts_with("table: three-cushion is played on a table without pockets"));
 }
@@ -221,7 +221,7 @@ fn a_table_with_pockets_is_refused() {
 #[test]
 fn a_player_who_reaches_the_points_with_equal_innings_wins() {
     let options = Options { points: 1, ..Options::default() };
-    let mut scenario = Scenario::with(Rules::ThreeCushion, options);
+    let mut scenario = Scenario::with(Game::ThreeCushion, options);
     scenario.play(NOTHING, hit(&[2]));
     let point = carom(&scenario);
     scenario.play(NOTHING, point);
@@ -231,7 +231,7 @@ fn a_player_who_reaches_the_points_with_equal_innings_wins() {
 #[test]
 fn in_a_match_started_by_player_1_player_0_has_the_last_inning() {
     let options = Options { points: 1, ..Options::default() };
-    let mut scenario = Scenario::with(Rules::ThreeCushion, options);
+    let mut scenario = Scenario::with(Game::ThreeCushion, options);
     let start = scenario.0.layout().clone();
     let places: Vec<_> = (0..3).map(|ball| start.place(ball)).collect();
     scenario.0.resume_at(&places, 1).expect("three balls");
@@ -246,7 +246,7 @@ fn in_a_match_started_by_player_1_player_0_has_the_last_inning() {
 #[test]
 fn the_second_player_has_a_last_inning_from_the_starting_position() {
     let mut scenario =
-        Scenario::with(Rules::ThreeCushion, Options { points: 2, ..Options::default() });
+        Scenario::with(Game::ThreeCushion, Options { points: 2, ..Options::default() });
     let start = scenario.0.layout().clone();
     for _ in 0..2 {
         let point = carom(&scenario);

@@ -268,7 +268,7 @@ impl BreakPreset {
     /// [`Error::Input`] that lists the presets of the game, if there is none.
     pub fn of(game: Game, name: &str) -> Result<&'static Self, Error> {
         static ALL: [BreakPreset; 8] = BreakPreset::ALL;
-        let of_game = || ALL.iter().filter(move |preset| preset.game == game);
+        let of_game = || ALL.iter().filter(move |preset| preset.game == game.opened_as());
         of_game().find(|preset| preset.name == name).ok_or_else(|| {
             let known: Vec<&str> = of_game().map(|preset| preset.name).collect();
             Error::input(

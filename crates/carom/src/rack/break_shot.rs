@@ -58,35 +58,9 @@ impl Break<'_> {
     /// As [`BreakPreset::of`].
     pub fn named(game: Game, preset: Option<&str>, seed: u64) -> Result<Self, Error> {
         Ok(match preset {
-            Some(name) => Self::of_preset(BreakPreset::of(game, name)?, seed),
+            Some(name) => Self { game, ..Self::of_preset(BreakPreset::of(game, name)?, seed) },
             None => Self::new(game, seed),
         })
-    }
-}
-
-impl Game {
-    /// The cue's speed in a usual opening shot, m/s. In full breaks the cue ball has 24 mph (Onoda,
-    /// in Dr. Dave's FAQ), and the cue is 1.35 times slower. The others are safeties or plain
-    /// shots; their speeds are estimated.
-    pub const fn break_speed(self) -> f64 {
-        match self {
-            Self::EightBall | Self::NineBall | Self::TenBall => 8.0,
-            Self::StraightPool => 2.5,
-            Self::Snooker => 3.5,
-            Self::ThreeCushion => 3.0,
-        }
-    }
-
-    /// The ball that the opening shot aims at, by its number in the rack (the cue ball is 0), and
-    /// the aim's offset to the right of its centre, in ball radii.
-    const fn break_aim(self) -> (usize, f64) {
-        match self {
-            Self::EightBall | Self::NineBall | Self::TenBall => (1, 0.0),
-            // The right back corner, thin: out and back to the head rail.
-            Self::StraightPool | Self::Snooker => (15, 1.3),
-            // The red, half full.
-            Self::ThreeCushion => (2, 1.0),
-        }
     }
 }
 
@@ -114,7 +88,7 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
         place_as_players(&mut balls, preset, &table, 2.0 * physics.ball.radius + opening.gap);
     }
 
-    let (target, beside) = opening.preset.map_or(game.break_aim(), |preset| preset.aim);
+    let (target, beside) = opening.preset.map_or(game.equipment().break_aim, |preset| preset.aim);
     let azimuth = aim(balls[0].1, balls[target].1, beside * physics.ball.radius);
     let mut placed: Vec<PlacedBall> = balls.into_iter().map(|b| place(b, physics.ball)).collect();
     if let Some(cue_ball) = cue_ball_of_its_own(&table) {

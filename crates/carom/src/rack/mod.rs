@@ -8,6 +8,7 @@
 
 mod break_preset;
 mod break_shot;
+mod game;
 mod pattern;
 
 use alloc::format;
@@ -18,6 +19,9 @@ use rand_pcg::{Pcg64, rand_core::Rng};
 
 pub use break_preset::{BreakPreset, CueBallPlace, break_presets};
 pub use break_shot::{Break, break_shot, cue_ball_of_its_own};
+pub use game::Game;
+
+use game::{Order, Pattern};
 
 use crate::Table;
 use crate::error::Error;
@@ -34,77 +38,12 @@ const WIDEST_GAP: f64 = 5e-3;
 /// it" (rules of snooker, section 3). Estimated.
 const PINK_GAP: f64 = 1e-3;
 
-/// Distance of the cue ball from the middle of the head string in a three-cushion start, m (UMB;
+/// Distance of the cue ball from the middle of the head string in the starting position of carom, m (UMB;
 /// from memory, not verified).
-const THREE_CUSHION_OFFSET: f64 = 0.1825;
+const CUE_BALL_OFFSET: f64 = 0.1825;
 
 /// PCG's stream. Any constant would do; another one changes the rack of every seed.
 const STREAM: u128 = 0x6361_726f_6d20_7261_636b;
-
-/// The games that can be racked.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Game {
-    /// Fifteen balls, the 8 in the middle, a solid and a stripe in the corners.
-    EightBall,
-    /// Nine balls in a diamond, the 1 at the apex, the 9 in the middle.
-    NineBall,
-    /// Ten balls, the 1 at the apex, the 10 in the middle.
-    TenBall,
-    /// Fifteen balls in any order (14.1).
-    StraightPool,
-    /// Fifteen reds behind the pink, and the colours on their spots.
-    Snooker,
-    /// Three balls (carom).
-    ThreeCushion,
-}
-
-impl Game {
-    /// Every game.
-    pub const ALL: [Self; 6] = [
-        Self::EightBall,
-        Self::NineBall,
-        Self::TenBall,
-        Self::StraightPool,
-        Self::Snooker,
-        Self::ThreeCushion,
-    ];
-
-    /// The name on the command line.
-    pub const fn name(self) -> &'static str {
-        match self {
-            Self::EightBall => "eight-ball",
-            Self::NineBall => "nine-ball",
-            Self::TenBall => "ten-ball",
-            Self::StraightPool => "straight-pool",
-            Self::Snooker => "snooker",
-            Self::ThreeCushion => "three-cushion",
-        }
-    }
-
-    /// The game of that name.
-    ///
-    /// # Errors
-    /// [`Error::Input`] that lists the games, if there is none.
-    pub fn parse(name: &str) -> Result<Self, Error> {
-        Self::ALL.into_iter().find(|game| game.name() == name).ok_or_else(|| {
-            let known = Self::ALL.map(Self::name).join(", ");
-            Error::input(
-                "game",
-                format!("there is no game \"{name}\""),
-                format!("write one of {known}"),
-            )
-        })
-    }
-
-    /// The table preset that the game is played on.
-    pub const fn table(self) -> &'static str {
-        match self {
-            Self::Snooker => "snooker-12ft",
-            Self::ThreeCushion => "carom-10ft",
-            _ => "wpa-9ft",
-        }
-    }
-}
 
 /// A ball of a rack: its id, and its centre on the cloth in the file's frame, m.
 pub type RackedBall = (String, [f64; 2]);
@@ -124,19 +63,14 @@ pub fn rack(
     let plan = RackPlan::new(table, radius, gap)?;
     let mut random = Pcg64::new(u128::from(seed), STREAM);
     let mut balls = Vec::new();
-    match game {
-        Game::Snooker => plan.snooker(&mut balls, &mut random),
-        Game::ThreeCushion => plan.three_cushion(&mut balls),
-        Game::EightBall | Game::NineBall | Game::TenBall | Game::StraightPool => {
-            let rows: &[usize] = match game {
-                Game::NineBall => &[1, 2, 3, 2, 1],
-                Game::TenBall => &[1, 2, 3, 4],
-                _ => &[1, 2, 3, 4, 5],
-            };
+    match game.equipment().pattern {
+        Pattern::Reds(rows) => plan.snooker(rows, &mut balls, &mut random),
+        Pattern::Carom => plan.carom(&mut balls),
+        Pattern::Numbers(rows, order) => {
             balls.push((String::from("cue"), plan.cue_ball()));
-            let order = pattern::order(game, &mut random);
-            let places = plan.triangle(plan.apex(game), rows, &mut random);
-            balls.extend(order.into_iter().map(|n| format!("{n}")).zip(places));
+            let numbers = pattern::numbers(rows.iter().sum(), order, &mut random);
+            let places = plan.triangle(plan.apex(order), rows, &mut random);
+            balls.extend(numbers.into_iter().map(|n| format!("{n}")).zip(places));
         }
     }
     Ok(balls)
@@ -221,9 +155,9 @@ impl<'a> RackPlan<'a> {
 
     /// The apex is on the foot spot. On English tables the 8, two rows behind the apex, is on its
     /// spot (WEPF).
-    fn apex(&self, game: Game) -> [f64; 2] {
-        match (game, marked(self.table, "foot"), marked(self.table, "black")) {
-            (Game::EightBall, None, Some([x, y])) => [x, y - 2.0 * self.row()],
+    fn apex(&self, order: Order) -> [f64; 2] {
+        match (order, marked(self.table, "foot"), marked(self.table, "black")) {
+            (Order::Eight, None, Some([x, y])) => [x, y - 2.0 * self.row()],
             _ => spot(self.table, "foot", 0.75),
         }
     }
@@ -258,20 +192,20 @@ impl<'a> RackPlan<'a> {
         }
     }
 
-    fn snooker(&self, balls: &mut Vec<RackedBall>, random: &mut Pcg64) {
+    fn snooker(&self, rows: &[usize], balls: &mut Vec<RackedBall>, random: &mut Pcg64) {
         let spots @ [yellow, _, [middle, baulk], _, [pink_x, pink], _] = snooker_spots(self.table);
         // In the D, between brown and yellow, as most players break.
         balls.push((String::from("cue"), [middle + 0.5 * (yellow[0] - middle), baulk]));
         let apex = [pink_x, pink + 2.0 * self.radius + PINK_GAP.max(self.gap)];
-        let reds = self.triangle(apex, &[1, 2, 3, 4, 5], random);
+        let reds = self.triangle(apex, rows, random);
         balls.extend(reds.into_iter().enumerate().map(|(i, p)| (format!("red-{}", i + 1), p)));
         let names = ["yellow", "green", "brown", "blue", "pink", "black"].map(String::from);
         balls.extend(names.into_iter().zip(spots));
     }
 
-    fn three_cushion(&self, balls: &mut Vec<RackedBall>) {
+    fn carom(&self, balls: &mut Vec<RackedBall>) {
         let [x, y] = spot(self.table, "head", 0.25);
-        let offset = THREE_CUSHION_OFFSET.min(0.25 * self.table.size.x);
+        let offset = CUE_BALL_OFFSET.min(0.25 * self.table.size.x);
         balls.push((String::from("cue"), [mirrored(x, offset), y]));
         balls.push((String::from("yellow"), [x, y]));
         balls.push((String::from("red"), spot(self.table, "foot", 0.75)));

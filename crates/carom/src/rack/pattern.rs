@@ -5,7 +5,8 @@ use alloc::vec::Vec;
 
 use rand_pcg::Pcg64;
 
-use super::{Game, below, shuffle};
+use super::game::Order;
+use super::{below, shuffle};
 
 /// Middle of the third row: the centre of the diamond and of every triangle.
 const CENTER: usize = 4;
@@ -15,25 +16,20 @@ const CORNERS: [usize; 2] = [10, 14];
 const LAST_SOLID: u8 = 7;
 const EIGHT: u8 = 8;
 
-/// The numbers of the balls in the order of their places.
-pub(super) fn order(game: Game, random: &mut Pcg64) -> Vec<u8> {
-    let last = match game {
-        Game::NineBall => 9,
-        Game::TenBall => 10,
-        _ => 15,
-    };
-    let mut order: Vec<u8> = (1..=last).collect();
-    shuffle(&mut order, random);
-    match game {
-        // WPA: the 1 at the apex, the highest ball in the middle, the others in any order.
-        Game::NineBall | Game::TenBall => {
-            put(&mut order, 1, 0);
-            put(&mut order, last, CENTER);
+/// The numbers of `count` balls in the order of their places.
+pub(super) fn numbers(count: usize, order: Order, random: &mut Pcg64) -> Vec<u8> {
+    let last = count as u8;
+    let mut numbers: Vec<u8> = (1..=last).collect();
+    shuffle(&mut numbers, random);
+    match order {
+        Order::Any => {}
+        Order::OneAndLast => {
+            put(&mut numbers, 1, 0);
+            put(&mut numbers, last, CENTER);
         }
-        Game::EightBall => eight_ball(&mut order, random),
-        _ => {}
+        Order::Eight => eight_ball(&mut numbers, random),
     }
-    order
+    numbers
 }
 
 /// WPA: the 8 in the middle, a solid in one back corner and a stripe in the other, the others in

@@ -142,7 +142,7 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
     const { geometry, balls } = store.shot;
     const cue = store.document.shot.strike.ball;
     // A single player keeps the turn with every shot, makes no foul and wins nothing: there the pot counts.
-    const alone = isForOne(rules.value);
+    const alone = isForOne(engine, rules.value);
     const facts = alone
       ? h("span", { class: "facts" }, potFact(line))
       : h(
@@ -191,7 +191,7 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
 
   /** Counts the pots of the lines, one after the other. */
   function countPots({ plays, position, done }: Found): void {
-    if (!done || !isForOne(position.rules)) return;
+    if (!done || !isForOne(engine, position.rules)) return;
     const line = plays.find(({ ball, play }) => ball !== null && !potChances.has(play));
     if (line?.ball == null || line.pocket === null) return;
     const { ball, pocket, play } = line;

@@ -22,20 +22,6 @@ export interface Position {
   readonly noise: Noise;
 }
 
-/**
- * Games in the order in which they are preferred for a free layout: the one that allows the fewest ids
- * first. Practice fits nearly every layout, but there every shot keeps the turn.
- */
-const PREFERRED: readonly string[] = [
-  "three-cushion",
-  "snooker",
-  "nine-ball",
-  "ten-ball",
-  "eight-ball",
-  "straight-pool",
-  "practice",
-];
-
 /** The errors of the analysis: the document's, or else those of the chosen level. */
 export function noiseOf(engine: Pick<Engine, "noisePresets">, { document, session }: State): Noise {
   return document.noise ?? engine.noisePresets[session.level] ?? engine.noisePresets.club!;
@@ -53,13 +39,15 @@ export function gamesFor(engine: Engine, shot: Shot): readonly string[] {
 }
 
 function fittingGames(engine: Engine, shot: Shot): readonly string[] {
-  const all = PREFERRED.filter((rules) => engine.ruleSets.includes(rules));
-  const fitting = all.filter((rules) => {
-    const frame = frameOf(engine, rules, shot);
+  // The game that allows the fewest ids is preferred. A game for one fits nearly every layout.
+  const all = Object.values(engine.gameFacts).sort((a, b) => a.balls - b.balls);
+  const fitting = all.filter(({ name }) => {
+    const frame = frameOf(engine, name, shot);
     frame?.free();
     return frame !== null;
   });
-  return fitting.length > 1 ? fitting.filter((rules) => rules !== "practice") : fitting;
+  const matches = fitting.filter(({ players }) => players > 1);
+  return (matches.length > 0 ? matches : fitting).map(({ name }) => name);
 }
 
 /** The game from the balls of a shot; null if it cannot start there. */

@@ -102,7 +102,7 @@ function questionOf(store: Store, { engine }: Context): Question | null {
   const job = (of: ChanceJob["of"]): ChanceJob => ({ kind: "chance", noise, count: COUNT, of });
   // A single player keeps the turn with every shot: there the pot counts.
   const { game } = store.document;
-  if (game && !isForOne(game.setup.rules)) {
+  if (game && !isForOne(engine, game.setup.rules)) {
     const progress = standing(store, engine)!;
     const play = playOf(store, { engine });
     if (!play) return null;

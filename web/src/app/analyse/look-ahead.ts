@@ -198,13 +198,14 @@ function mountPlan(root: HTMLElement, store: Store, context: Context): void {
       return cue && at ? estimate(shot, cue, at, noise) : 0;
     };
     const rules = positionOf(store, engine)?.rules ?? null;
-    const rotation = rules === "nine-ball" || rules === "ten-ball";
-    const easiest = rotation
-      ? all
-      : [...all]
-          .sort((a, b) => ease(b) - ease(a))
-          .filter((id, k) => k < CONSIDERED || wanted.includes(id));
-    const orders = ordersOf(easiest, wanted, rules);
+    const objective = rules === null ? null : engine.gameFacts[rules]!.objective;
+    const easiest =
+      objective === "lowest-first"
+        ? all
+        : [...all]
+            .sort((a, b) => ease(b) - ease(a))
+            .filter((id, k) => k < CONSIDERED || wanted.includes(id));
+    const orders = ordersOf(easiest, wanted, objective);
     const length = orders[0]?.length ?? 0;
     if (length === 0) return null;
     return { kind: "plan", shot: JSON.stringify(document.shot), orders, length, noise, runs: RUNS };

@@ -1,5 +1,7 @@
 /** The orders of balls of a plan, and the interval of its chance. */
 
+import type { GameFacts } from "../../engine/index.ts";
+
 /** A 95 % interval of a chance: Wilson's. */
 export function interval(met: number, count: number): readonly [number, number] {
   const z = 1.96;
@@ -11,17 +13,17 @@ export function interval(met: number, count: number): readonly [number, number] 
 }
 
 /**
- * The orders of balls that a plan may have: those that agree with the chosen balls and with the game. In
- * nine-ball and ten-ball the lowest ball comes first; in eight-ball all are of one group.
+ * The orders of balls that a plan may have: those that agree with the chosen balls and with the game's
+ * objective. The lowest ball comes first, or all are of one group.
  */
 export function ordersOf(
   balls: readonly string[],
   chosen: readonly (string | null)[],
-  rules: string | null,
+  objective: GameFacts["objective"] | null,
 ): string[][] {
-  const rotation = rules === "nine-ball" || rules === "ten-ball";
+  const rotation = objective === "lowest-first";
   const group = (id: string) => (Number(id) < 8 ? "solids" : "stripes");
-  const groups = rules === "eight-ball";
+  const groups = objective === "groups";
   const allowed = groups ? balls.filter((id) => id !== "8") : balls;
   const rising = [...allowed].sort((a, b) => Number(a) - Number(b));
   const isFree = chosen.every((ball) => ball === null);

@@ -42,10 +42,6 @@ const FAULTS: readonly (readonly [
     /^there is no [^"]*"([^"]*)"/,
     (where, [, word]) => t("fault.unknown-word", { where, word: word! }),
   ],
-  [
-    /^there are no rules called "([^"]*)"/,
-    (_, [, word]) => t("fault.unknown-word", { where: t("where.game"), word: word! }),
-  ],
   [/^not a play, a choice/, () => t("fault.no-move")],
   [/^ball .* is already moving/s, (where) => t("fault.moves", { where })],
   [/^ball .* does not lie on the cloth/s, (where) => t("fault.not-on-cloth", { where })],

@@ -33,7 +33,7 @@ function isBreak({ steps }: Progress): boolean {
 
 function standardBreak(engine: Engine, { setup }: Game): AimedShot | null {
   const { table, seed = 0 } = setup.options;
-  if (setup.from || typeof table === "object" || !engine.games.includes(setup.rules)) return null;
+  if (setup.from || typeof table === "object") return null;
   try {
     const shot = engine.breakShot(setup.rules, { seed, ...(table !== undefined && { table }) });
     const file = shot.source;

@@ -166,7 +166,7 @@ function choiceMove(store: Store, engine: Engine, choice: Choice): void {
 /** Whether a person is at the table, who may concede. */
 export function canConcede(store: Store, engine: Engine): boolean {
   const state = standing(store, engine)?.frame.state;
-  if (!state || state.request.kind === "over" || isForOne(state.game)) return false;
+  if (!state || state.request.kind === "over" || isForOne(engine, state.game)) return false;
   return isPerson(store, state.request.player);
 }
 

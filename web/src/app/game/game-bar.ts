@@ -1,7 +1,7 @@
 /** Below the table during a game: the score, whose turn it is, the last ruling, and choices. */
 
 import "./game.css";
-import type { FrameState, Seat } from "../../engine/index.ts";
+import type { Engine, FrameState, GameFacts, Seat } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { focusWhileScrolling, h, setText } from "../common/dom.ts";
 import { gameName } from "../common/preset-names.ts";
@@ -68,7 +68,7 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
     const shown = watching ? replayedMove(store, engine) : null;
     const state = shown === null ? progress.frame.state : progress.steps[shown]!.before;
     const { names } = game.setup;
-    showScore(score, game, state);
+    showScore(score, engine, game, state);
     const rulingText = watching || !last ? "" : rulingInWords(last, names);
     const { request } = state;
     const over = request.kind === "over";
@@ -156,7 +156,7 @@ function answer(text: string, onclick: () => void): HTMLButtonElement {
   return h("button", { type: "button", class: "button primary", onclick }, text);
 }
 
-function showScore(root: HTMLElement, { setup }: Game, state: FrameState): void {
+function showScore(root: HTMLElement, engine: Engine, { setup }: Game, state: FrameState): void {
   const { request } = state;
   const active = request.kind === "over" ? request.winner : request.player;
   const side = (player: 0 | 1) =>
@@ -167,14 +167,14 @@ function showScore(root: HTMLElement, { setup }: Game, state: FrameState): void 
       ...extras(state, player),
     );
   const order = setup.race?.turned ? ([1, 0] as const) : ([0, 1] as const);
-  const text = pointsText(setup, state, order);
+  const text = pointsText(setup, state, engine.gameFacts[state.game], order);
   // A dash would read as a score: "Player 1 – Machine 2".
   const points =
     text === ""
       ? h("span", { class: "hint" }, t("table.versus"))
       : h("span", { class: "points" }, text);
   const [first, second] = [side(order[0]), side(order[1])];
-  const players = isForOne(state.game) ? [side(0), points] : [first, points, second];
+  const players = isForOne(engine, state.game) ? [side(0), points] : [first, points, second];
   const { race } = setup;
   const about = race
     ? t("race.to", { game: gameName(state.game), count: race.to })
@@ -185,19 +185,18 @@ function showScore(root: HTMLElement, { setup }: Game, state: FrameState): void 
 /** Frames of a race, points of a frame, or both; empty for a single frame without points. */
 function pointsText(
   { race }: Setup,
-  { game, scores, request }: FrameState,
+  { scores, request }: FrameState,
+  facts: GameFacts | undefined,
   [first, second]: readonly [Seat, Seat],
 ): string {
   const points = `${scores[first]} : ${scores[second]}`;
-  if (isForOne(game)) return `${scores[0]}`;
-  if (!race) return WITH_POINTS.has(game) ? points : "";
+  if (facts?.players === 1) return `${scores[0]}`;
+  const hasPoints = facts?.scoring !== "last-ball";
+  if (!race) return hasPoints ? points : "";
   const won = framesWon(race, request.kind === "over" ? request.winner : null);
   const frames = `${won[first]} : ${won[second]}`;
-  return WITH_POINTS.has(game) ? `${frames} (${points})` : frames;
+  return hasPoints ? `${frames} (${points})` : frames;
 }
-
-/** Games that count points. */
-const WITH_POINTS = new Set(["straight-pool", "snooker", "three-cushion", "practice"]);
 
 /** A player's group, innings and fouls. */
 function extras({ state, fouls_in_a_row: fouls }: FrameState, player: 0 | 1): HTMLElement[] {

@@ -1,6 +1,7 @@
 /** The Game tab: the set-up of a game, then its calls and its record of shots. */
 
 import { replay } from "../replay/replay-control.ts";
+import type { Engine } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, icon, setText } from "../common/dom.ts";
 import { gameName, levelName } from "../common/preset-names.ts";
@@ -31,7 +32,7 @@ export function mountGame(root: HTMLElement, store: Store, context: Context): vo
   const table = h("div");
   root.append(setup, table);
   mountSetup(setup, store, context);
-  mountHeading(table, store);
+  mountHeading(table, store, context.engine);
   const hand = h("section");
   const calls = h("section");
   const reason = h("section");
@@ -59,7 +60,7 @@ export function mountGame(root: HTMLElement, store: Store, context: Context): vo
 }
 
 /** The game's name and its players. */
-function mountHeading(root: HTMLElement, store: Store): void {
+function mountHeading(root: HTMLElement, store: Store, engine: Engine): void {
   const title = h("h2");
   const hint = h("p", { class: "hint" });
   root.append(title, hint);
@@ -72,7 +73,7 @@ function mountHeading(root: HTMLElement, store: Store): void {
       if (machine !== null) return t("table.player", { name, level: machineName(machine) });
       return skill ? t("table.player", { name, level: levelName(skill) }) : name;
     });
-    const players = isForOne(rules) ? all.slice(0, 1) : all;
+    const players = isForOne(engine, rules) ? all.slice(0, 1) : all;
     setText(title, gameName(rules));
     const [first = "", second] = players;
     const said = second === undefined ? first : t("table.against", { first, second });

@@ -1,6 +1,14 @@
 /** Requests and rulings of the referee as sentences. */
 
-import type { Call, Choice, FrameState, Seat, Request, Ruling } from "../../engine/index.ts";
+import type {
+  Call,
+  Choice,
+  Engine,
+  FrameState,
+  Seat,
+  Request,
+  Ruling,
+} from "../../engine/index.ts";
 import { ballName, pocketName } from "../common/shot-words.ts";
 import type { Pair } from "../document/stored-game.ts";
 import type { PlayedMove } from "./game-progress.ts";
@@ -16,8 +24,8 @@ export function other(player: Seat): Seat {
 }
 
 /** Whether the game has one player only. */
-export function isForOne(rules: string): boolean {
-  return rules === "practice";
+export function isForOne({ gameFacts }: Pick<Engine, "gameFacts">, rules: string): boolean {
+  return gameFacts[rules]?.players === 1;
 }
 
 /** Whose turn it is, or who won. @param here The player at this page, if the other one is a friend. */
@@ -39,10 +47,10 @@ export function headline(request: Request, names: Pair<string>, here?: Seat): st
 
 /** A request as sentences, with the present call. */
 export function requestInWords(frame: FrameState, call: Call | null = null): string {
-  const { request, state, balls, game } = frame;
+  const { request, state, balls } = frame;
   if (request.kind !== "shot") return sentence(refereeText(request.why));
   const { in_hand, calls } = request;
-  const said = [onInWords(request.on, state, Object.keys(balls), game)];
+  const said = [onInWords(request.on, state, Object.keys(balls))];
   if (in_hand) said.push(t(`request.${in_hand}`));
   const kind = call?.kind === "on" ? "nominated" : "called";
   if (call) said.push(t(`request.${kind}`, { call: callInWords(call) }));
@@ -63,9 +71,8 @@ export function onInWords(
   on: readonly string[],
   state: FrameState["state"],
   lying: readonly string[],
-  game: string,
 ): string {
-  if (game === "three-cushion") return "";
+  if (state.innings) return "";
   if (state.free_ball) return t("request.free-ball");
   if (state.on === "red") return t("request.red");
   if (state.on === "color" && on.length > 1) return t("request.colour");

@@ -56,7 +56,7 @@ describe("a request", () => {
       { on: ["pink", "black"], calls: ["on"] },
       { state: { on: "red", free_ball: true } },
     ],
-    ["", { on: ["red"] }, { game: "three-cushion" }],
+    ["", { on: ["red"] }, { state: { innings: [1, 0] } }],
   ])("%s", (words, shot, more) => {
     expect(requestInWords(state({ ...SHOT, ...shot }, more))).toBe(words);
   });

@@ -6,7 +6,7 @@ use super::{
 use crate::games::snooker::On;
 use crate::layout::BallList;
 use crate::scenarios::{CORNER, SIDE, Scenario, assert_fouls, hit};
-use crate::{Call, Choice, Foul, Rules};
+use crate::{Call, Choice, Foul, Game};
 
 #[test]
 fn a_player_snookered_after_a_foul_has_a_free_ball() {
@@ -16,7 +16,7 @@ fn a_player_snookered_after_a_foul_has_a_free_ball() {
     assert!(scenario.asks(0).calls.nominate);
     let ruling = scenario.play(Call::On(BLUE), hit(&[BLUE]).potting(BLUE, SIDE));
     assert_eq!((ruling.points, &ruling.spotted[..]), ([1, 0], &[BLUE][..]), "it counts as a red");
-    assert_eq!(game(&scenario).on(), On::Color);
+    assert_eq!(scenario.0.kind_on(), Some(On::Color));
 }
 
 #[test]
@@ -38,7 +38,7 @@ fn a_free_ball_and_a_red_pocketed_together_count_one_each() {
     let ruling = scenario.play(Call::On(BLUE), happened);
     assert!(ruling.is_legal(), "the next player is not snookered by the free ball: {ruling:?}");
     assert_eq!((ruling.points, &ruling.spotted[..]), ([2, 0], &[BLUE][..]));
-    assert_eq!(game(&scenario).on(), On::Color);
+    assert_eq!(scenario.0.kind_on(), Some(On::Color));
 }
 
 /// Player 1 has the yellow on and a free ball, since the blue is in the way.
@@ -137,7 +137,7 @@ fn a_snooker_made_with_another_ball_than_the_free_ball_is_allowed() {
 #[test]
 fn a_ball_that_hides_one_edge_gives_a_free_ball() {
     let with_blue_at = |x: f64| {
-        let mut scenario = Scenario::of(Rules::Snooker).without(2..=15);
+        let mut scenario = Scenario::of(Game::Snooker).without(2..=15);
         scenario.play(NOTHING, hit(&[RED]));
         scenario.0.put(0, Some([0.889, 0.9]));
         scenario.0.put(RED, Some([0.889, 2.4]));
@@ -146,7 +146,7 @@ fn a_ball_that_hides_one_edge_gives_a_free_ball() {
         scenario.choose(Choice::PlayOn);
         game(&scenario).has_free_ball()
     };
-    let diameter = 2.0 * Scenario::of(Rules::Snooker).0.base().physics().ball.radius;
+    let diameter = 2.0 * Scenario::of(Game::Snooker).0.base().physics().ball.radius;
     assert!(with_blue_at(0.889 + diameter), "one edge is hidden");
     // The path to the edge of the red is a diameter off the straight line at the red, and half of
     // that at the blue.

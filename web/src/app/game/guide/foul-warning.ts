@@ -25,10 +25,10 @@ export function wrongBall(store: Store, engine: Engine): string | null {
   const nominated = call?.kind === "on" ? call.ball : undefined;
   const on = nominated === undefined ? asked.on : [nominated];
   if (on.length === 0 || on.includes(first)) return null;
-  const { state, balls, game } = standing(store, engine)!.frame.state;
+  const { state, balls } = standing(store, engine)!.frame.state;
   const what =
     nominated === undefined
-      ? onInWords(on, state, Object.keys(balls), game)
+      ? onInWords(on, state, Object.keys(balls))
       : t("request.nominated", { call: callInWords(call) });
   const ball = objectName(first, outcome);
   return paragraph([t("guide.wrong-ball", { ball }), what && sentence(what)]);

@@ -10,14 +10,6 @@ import { bestLag, type Lag, LAG_SPEEDS, type LagTable, lagWinner, playLag } from
 import { turned } from "./race.ts";
 import { decimal, t } from "../../words/translate.ts";
 
-/** Games that begin with a lag by their rules. */
-export const WITH_LAG: ReadonlySet<string> = new Set([
-  "eight-ball",
-  "nine-ball",
-  "ten-ball",
-  "straight-pool",
-]);
-
 /** @param begin Starts the game; the first player of its set-up breaks. */
 export function openLag(game: Game, context: Context, begin: (game: Game) => void): void {
   const { engine } = context;

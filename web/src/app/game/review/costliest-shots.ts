@@ -115,7 +115,7 @@ export function mountCostliest(root: HTMLElement, store: Store, context: Context
     const { game } = store.document;
     const progress = standing(store, engine);
     const over = progress?.frame.state.request.kind === "over";
-    root.hidden = !game || !over || isForOne(game.setup.rules);
+    root.hidden = !game || !over || isForOne(engine, game.setup.rules);
     if (root.hidden || !game) sought = null;
     else if (store.session.mode === "aim" && shown !== game.moves) void find();
   };

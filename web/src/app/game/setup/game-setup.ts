@@ -17,9 +17,6 @@ import { mountPlayers } from "./players-setup.ts";
 /** Seeds drawn by a click are below this: short numbers are easy to pass on. */
 const SEEDS = 10_000;
 
-/** Games that end at a number of points. */
-const WITH_GOAL = new Set(["straight-pool", "three-cushion"]);
-
 /** Value of the list entry that starts from the balls on the page. */
 const AS_THEY_LIE = "lie";
 
@@ -28,7 +25,7 @@ const THIS_TABLE = "this";
 
 export function mountSetup(root: HTMLElement, store: Store, context: Context): void {
   const { engine } = context;
-  const rules = select(engine.ruleSets.map((name) => [name, gameName(name)]));
+  const rules = select(engine.games.map((name) => [name, gameName(name)]));
   const usual = h("option", { value: "" });
   const table = h("select", { id: uniqueId("table") }, usual);
   table.append(...presetOptions(engine.tables.flatMap(({ name }) => name ?? [])));
@@ -48,7 +45,7 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   const players = mountPlayers(seats, context);
   const guide = select(GUIDES.map((name) => [name, t(`guide.${name}`)]));
   guide.value = "short";
-  const match = mountMatch();
+  const match = mountMatch(engine);
   const begin = (): void => {
     const options = readOptions();
     const from = start.value === AS_THEY_LIE ? store.shot.file : null;
@@ -94,6 +91,8 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
     return button;
   }
 
+  const facts = () => engine.gameFacts[rules.value]!;
+
   function readOptions(): FrameOptions | null {
     const [rack, points] = [whole(seed, 0), whole(goal, 1)];
     if (rack === null) store.refuse(t("field.not-a-seed"));
@@ -102,8 +101,8 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
     return {
       ...tableOptions(),
       seed: rack,
-      ...(WITH_GOAL.has(rules.value) && { points }),
-      ...(rules.value === "snooker" && { miss: miss.checked }),
+      ...(facts().scoring === "target" && { points }),
+      ...(facts().miss && { miss: miss.checked }),
     };
   }
 
@@ -118,9 +117,9 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
     usual.textContent = t("setup.usual-table", {
       table: presetLabel(engine.usualTable(rules.value)),
     });
-    goalRow.hidden = !WITH_GOAL.has(rules.value);
+    goalRow.hidden = facts().scoring !== "target";
     tableRow.hidden = seedRow.hidden = start.value === AS_THEY_LIE;
-    missRow.hidden = rules.value !== "snooker";
+    missRow.hidden = !facts().miss;
     players.show(rules.value);
     match.show(rules.value);
   };

@@ -1,8 +1,8 @@
 /** Race and shot clock in the set-up. */
 
+import type { Engine } from "../../../engine/index.ts";
 import { h, uniqueId } from "../../common/dom.ts";
 import type { Setup } from "../../document/stored-game.ts";
-import { WITH_LAG } from "../match/lag-dialog.ts";
 import { LONGEST_RACE } from "../match/race.ts";
 import { t } from "../../words/translate.ts";
 import { isForOne } from "../game-words.ts";
@@ -12,7 +12,7 @@ import { label, labelled, number, select, whole } from "./setup-controls.ts";
 const TIMES = [20, 30, 45, 60] as const;
 
 /** @returns The controls, and what reads them: null if the number of frames is not possible. */
-export function mountMatch(): {
+export function mountMatch(engine: Engine): {
   readonly root: HTMLElement;
   readonly read: () => Pick<Setup, "race" | "clock"> | null;
   /** Whether the players lag for the break. */
@@ -61,8 +61,8 @@ export function mountMatch(): {
     read,
     lags: () => lag.checked && !lagRow.hidden,
     show: (rules) => {
-      root.hidden = isForOne(rules);
-      lagRow.hidden = !WITH_LAG.has(rules);
+      root.hidden = isForOne(engine, rules);
+      lagRow.hidden = !engine.gameFacts[rules]!.lag;
     },
   };
 }

@@ -70,7 +70,7 @@ export function mountPlayers(
 
   let rules = "";
   const show = (): void => {
-    const present = rows.map((_, player) => player === 0 || !isForOne(rules));
+    const present = rows.map((_, player) => player === 0 || !isForOne(engine, rules));
     names.forEach((row, player) => (row.hidden = !present[player]));
     errors.forEach((row, player) => (row.hidden = !present[player] || isMachine(rows[player]!)));
     details.hidden = errors.every((row) => row.hidden);
@@ -108,7 +108,7 @@ export function mountPlayers(
           skills: pair((row) => (isMachine(row) ? null : row.errors.value || null)),
           ...(machines.some(Boolean) && { machines }),
         },
-        here: friend < 0 || isForOne(rules) ? undefined : friend === 0 ? 1 : 0,
+        here: friend < 0 || isForOne(engine, rules) ? undefined : friend === 0 ? 1 : 0,
       };
     },
   };
