@@ -9,7 +9,7 @@ use super::physics::write_value;
 use crate::edition::{self, Edition};
 use crate::error::Error;
 use crate::physics::presets::source;
-use crate::physics::quantities::{QUANTITIES, Quantity};
+use crate::physics::quantities::{GROUPS, QUANTITIES, Quantity, QuantityShape};
 use crate::physics::{Evidence, Physics};
 
 /// One line of the list that `carom physics` prints.
@@ -32,29 +32,30 @@ pub struct Parameter {
 pub fn parameters(name: &str) -> Option<Vec<Parameter>> {
     let physics = Physics::preset(name)?;
     let mut list = Vec::new();
-    for quantity in QUANTITIES {
-        let (evidence, source) = source(name, quantity.path)?;
-        for (key, value) in leaves(quantity, &physics) {
-            let unit = quantity.unit(&key);
-            let group = quantity.path.strip_suffix(quantity.key()).unwrap_or("");
-            list.push(Parameter { key: format!("{group}{key}"), value, unit, evidence, source });
-        }
+    for quantity in
+        [""].into_iter().chain(GROUPS.iter().map(|group| group.0)).flat_map(Quantity::below)
+    {
+        let mut written = Node::object([]);
+        write_value(&physics, quantity, &mut written);
+        let field =
+            if let QuantityShape::Tip(_) = quantity.shape { "cue.tip" } else { quantity.path };
+        add(&written, quantity.split().0, source(name, field)?, &mut list);
     }
     Some(list)
 }
 
-/// The numbers and names of a value, with their keys below its group.
-fn leaves(quantity: &Quantity, physics: &Physics) -> Vec<(String, Node)> {
-    let mut node = Node::object([]);
-    write_value(physics, quantity, &mut node);
-    let Node::Object(values) = node else { return Vec::new() };
-    let below = |(key, value)| match value {
-        Node::Object(numbers) => {
-            numbers.into_iter().map(|(inner, x)| (format!("{key}.{inner}"), x)).collect()
-        }
-        _ => alloc::vec![(key, value)],
+/// Adds the numbers and names below `path`.
+fn add(node: &Node, path: &str, from: (Evidence, &'static str), list: &mut Vec<Parameter>) {
+    let Node::Object(fields) = node else {
+        let unit = Quantity::unit(path);
+        let (evidence, source) = from;
+        list.push(Parameter { key: path.into(), value: node.clone(), unit, evidence, source });
+        return;
     };
-    values.into_iter().flat_map(below).collect()
+    for (key, value) in fields {
+        let path = if path.is_empty() { key.clone() } else { format!("{path}.{key}") };
+        add(value, &path, from, list);
+    }
 }
 
 /// The coefficient `key` of `physics` at a speed (m/s): of a rolling ball for
@@ -68,12 +69,15 @@ pub fn coefficient_at(physics: &Physics, key: &str, at: f64) -> Result<f64, Erro
         let what = format!("{at:?} is out of range");
         return Err(Error::input("at", what, "give a finite speed or angle ≥ 0"));
     }
-    Quantity::find(key).and_then(|quantity| quantity.at(physics, at)).ok_or_else(|| {
-        let what = format!("\"{key}\" is not a coefficient that may depend on speed or angle");
-        let variable = QUANTITIES.iter().filter(|quantity| quantity.argument().is_some());
-        let keys: Vec<_> = variable.map(|quantity| quantity.path).collect();
-        Error::input("key", what, format!("write one of {}", keys.join(", ")))
-    })
+    let laws = || QUANTITIES.iter().filter_map(|q| Some((q.path, q.law()?.1)));
+    match laws().find(|(path, _)| *path == key) {
+        Some((_, law)) => Ok(law(physics, at)),
+        None => {
+            let what = format!("\"{key}\" is not a coefficient that may depend on speed or angle");
+            let keys: Vec<_> = laws().map(|(path, _)| path).collect();
+            Err(Error::input("key", what, format!("write one of {}", keys.join(", "))))
+        }
+    }
 }
 
 /// Every physics preset: `name`, `dated_name`, `parameters` (`key`, `value`, `unit`, `evidence`,

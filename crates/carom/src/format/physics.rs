@@ -10,11 +10,9 @@ use super::read::{At, Fields};
 use crate::edition;
 use crate::error::Error;
 use crate::physics::quantities::{
-    BAND_END, FRACTION, FRICTION, Formula, FormulaLaw, GROUPS, QUANTITIES, Quantity, QuantityShape,
-    TIPS, Words,
+    BAND_END, FRACTION, FRICTION, Formula, GROUPS, QUANTITIES, Quantity, QuantityShape, Words,
 };
 use crate::physics::{Physics, RollingBand, RollingFriction, Tip};
-use crate::range::Range;
 
 /// Reads `physics`; `default` is the preset that belongs to the table.
 pub(super) fn read(at: Option<&At<'_>>, default: &str) -> Result<Physics, Error> {
@@ -22,9 +20,9 @@ pub(super) fn read(at: Option<&At<'_>>, default: &str) -> Result<Physics, Error>
     if !at.is_object() {
         return named(at);
     }
-    let single = keys(Quantity::of_group(""));
-    let groups = GROUPS.iter().map(|(group, _)| *group);
-    let known: Vec<_> = ["base"].into_iter().chain(single).chain(groups).collect();
+    let mut known = alloc::vec!["base"];
+    known.extend(keys(""));
+    known.extend(GROUPS.iter().map(|(group, _)| *group));
     let fields = at.fields(&known)?;
     let mut physics = match fields.get("base") {
         Some(base) => named(&base)?,
@@ -33,22 +31,19 @@ pub(super) fn read(at: Option<&At<'_>>, default: &str) -> Result<Physics, Error>
     read_values("", &fields, &mut physics)?;
     for (group, _) in GROUPS {
         if let Some(at) = fields.get(group) {
-            let known: Vec<_> = keys(Quantity::of_group(group)).collect();
-            read_values(group, &at.fields(&known)?, &mut physics)?;
+            read_values(group, &at.fields(&keys(group))?, &mut physics)?;
         }
     }
     Ok(physics)
 }
 
-/// The keys that a file may have for these values.
-pub(super) fn keys(
-    quantities: impl Iterator<Item = &'static Quantity>,
-) -> impl Iterator<Item = &'static str> {
-    quantities.flat_map(|quantity| match quantity.shape {
-        QuantityShape::Tip => TIPS.map(|(key, ..)| key).to_vec(),
+/// The keys that a file may have below a path.
+fn keys(path: &str) -> Vec<&'static str> {
+    let of = |quantity: &Quantity| match quantity.shape {
         QuantityShape::Angle(_) => STROKE_ELEVATION.keys().to_vec(),
-        _ => [quantity.key()].to_vec(),
-    })
+        _ => [quantity.split().1].to_vec(),
+    };
+    Quantity::below(path).flat_map(of).collect()
 }
 
 fn preset(name: &str) -> Physics {
@@ -61,31 +56,34 @@ fn named(at: &At<'_>) -> Result<Physics, Error> {
     Physics::preset(name).ok_or_else(|| at.unknown_word(name, "physics preset", &known()))
 }
 
-fn read_values(group: &str, fields: &Fields<'_>, physics: &mut Physics) -> Result<(), Error> {
-    for quantity in Quantity::of_group(group) {
-        match (&quantity.shape, fields.get(quantity.key())) {
-            (QuantityShape::Angle(angle), _) => {
-                if let Some(read) = STROKE_ELEVATION.read(fields)? {
-                    *(angle.place)(physics) = read;
-                }
+fn read_values(path: &str, fields: &Fields<'_>, physics: &mut Physics) -> Result<(), Error> {
+    for quantity in Quantity::below(path) {
+        if let QuantityShape::Angle(angle) = &quantity.shape {
+            if let Some(read) = STROKE_ELEVATION.read(fields)? {
+                *(angle.place)(physics) = read;
             }
-            (QuantityShape::Tip, _) => read_tip(fields, physics)?,
-            (_, None) => {}
-            (QuantityShape::Number(n), Some(at)) => *(n.place)(physics) = at.number(&n.range)?,
-            (QuantityShape::Model(models, _), Some(at)) => read_word(&at, models, physics)?,
-            (QuantityShape::Formula(fit), Some(at)) => read_fit(&at, fit, physics)?,
-            (QuantityShape::Bands, Some(at)) => {
-                physics.cloth.rolling_friction = rolling_friction(&at)?
-            }
+            continue;
+        }
+        let Some(at) = fields.get(quantity.split().1) else { continue };
+        match &quantity.shape {
+            QuantityShape::Number(n) => *(n.place)(physics) = at.number(&n.range)?,
+            QuantityShape::Model(models, _) => read_word(&at, models, physics)?,
+            QuantityShape::Formula(formula) => read_formula(&at, quantity, formula, physics)?,
+            QuantityShape::Bands => physics.cloth.rolling_friction = rolling_friction(&at)?,
+            QuantityShape::Tip(tip) => read_tip(&at, *tip, fields, physics)?,
+            QuantityShape::Angle(_) => {}
         }
     }
-    Ok(())
+    match fields.get("tip_off_centre_loss") {
+        Some(loss) if matches!(physics.cue.tip, Tip::Efficiency(_)) => check_loss(&loss, physics),
+        _ => Ok(()),
+    }
 }
 
 fn read_word(at: &At<'_>, words: &Words, physics: &mut Physics) -> Result<(), Error> {
-    let names: Vec<_> =
-        (words.names)().into_iter().enumerate().map(|(i, name)| (name, i)).collect();
-    (words.set)(physics, at.choice(words.kind, &names)?);
+    let names = (words.names)().into_iter().enumerate();
+    let options: Vec<_> = names.map(|(i, name)| (name, i)).collect();
+    (words.set)(physics, at.choice(words.kind, &options)?);
     Ok(())
 }
 
@@ -108,25 +106,27 @@ fn rolling_band(at: &At<'_>) -> Result<RollingBand, Error> {
 }
 
 /// Reads a number, the name of a surface, or the numbers of a formula over those of the base. A new
-/// model keeps the fits of the base as a whole, because every model takes them: a coefficient alone,
-/// without the others and the limits, would be another rail.
-fn read_fit(at: &At<'_>, fit: &Formula, physics: &mut Physics) -> Result<(), Error> {
-    if let (Some(names), true) = (&fit.names, at.is_text()) {
+/// model keeps the formulas of the base as a whole, because every model takes them: a coefficient
+/// alone, without the others and the limits, would be another rail.
+fn read_formula(
+    at: &At<'_>,
+    quantity: &Quantity,
+    formula: &Formula,
+    physics: &mut Physics,
+) -> Result<(), Error> {
+    if let (Some(names), true) = (&formula.names, at.is_text()) {
         return read_word(at, names, physics);
     }
     if !at.is_object() {
-        fit.set_constant(physics, at.number(&fit.constant)?);
+        quantity.set_constant(physics, at.number(&formula.constant)?);
         return Ok(());
     }
-    let known: Vec<_> = fit.numbers.iter().map(|n| n.key).collect();
-    let fields = at.fields(&known)?;
-    for n in fit.numbers {
-        fields.number_into(n.key, &n.number.range, (n.number.place)(physics))?;
-    }
-    match fit.law {
-        FormulaLaw::SlipFriction => check_slip_friction(at, physics),
-        FormulaLaw::CushionRestitution => check_cushion_restitution(at, &fields, physics),
-        FormulaLaw::CushionFriction => Ok(()),
+    let fields = at.fields(&keys(quantity.path))?;
+    read_values(quantity.path, &fields, physics)?;
+    match quantity.path {
+        "ball_ball.friction" => check_slip_friction(at, physics),
+        "cushion.restitution" => check_cushion_restitution(at, &fields, physics),
+        _ => Ok(()),
     }
 }
 
@@ -135,10 +135,8 @@ fn check_slip_friction(at: &At<'_>, physics: &Physics) -> Result<(), Error> {
     if at_rest >= 0.0 {
         return Ok(());
     }
-    Err(at.refuse(
-        format!("the friction a + b at slip speed 0 is {at_rest:?}"),
-        "choose a and b with a + b ≥ 0",
-    ))
+    let what = format!("the friction a + b at slip speed 0 is {at_rest:?}");
+    Err(at.refuse(what, "choose a and b with a + b ≥ 0"))
 }
 
 fn check_cushion_restitution(
@@ -149,16 +147,12 @@ fn check_cushion_restitution(
     let restitution = physics.cushion.restitution;
     let (lowest, highest) = (restitution.lowest, restitution.highest);
     if lowest > highest {
-        let (key, other) = if fields.get("lowest").is_some() {
-            ("lowest", format!("highest is {highest:?}"))
-        } else {
-            ("highest", format!("lowest is {lowest:?}"))
+        let (place, other) = match (fields.get("lowest"), fields.get("highest")) {
+            (None, Some(at)) => (at, format!("lowest is {lowest:?}")),
+            (given, _) => (given.unwrap_or_else(|| at.clone()), format!("highest is {highest:?}")),
         };
-        let place = fields.get(key).unwrap_or_else(|| at.clone());
-        return Err(place.refuse(
-            format!("the lower limit is above the upper one: {other}"),
-            "choose lowest ≤ highest",
-        ));
+        let what = format!("the lower limit is above the upper one: {other}");
+        return Err(place.refuse(what, "choose lowest ≤ highest"));
     }
     if restitution.is_possible() {
         return Ok(());
@@ -169,27 +163,30 @@ fn check_cushion_restitution(
     ))
 }
 
-/// Reads the tip's restitution or efficiency. The base's loss off the centre belongs to the base's tip.
-fn read_tip(fields: &Fields<'_>, physics: &mut Physics) -> Result<(), Error> {
-    let given = TIPS.map(|(key, _, tip)| fields.get(key).map(|at| (at, tip)));
-    if let [Some(_), Some((efficiency, _))] = &given {
-        return Err(efficiency.refuse(
-            "tip_restitution and tip_efficiency describe the same property",
-            "keep one of the two",
-        ));
+/// Reads a property of the tip. The base's loss off the centre belongs to the base's tip.
+fn read_tip(
+    at: &At<'_>,
+    tip: fn(f64) -> Tip,
+    fields: &Fields<'_>,
+    physics: &mut Physics,
+) -> Result<(), Error> {
+    if let (Some(_), Some(efficiency)) =
+        (fields.get("tip_restitution"), fields.get("tip_efficiency"))
+    {
+        let what = "tip_restitution and tip_efficiency describe the same property";
+        return Err(efficiency.refuse(what, "keep one of the two"));
     }
-    for (at, tip) in given.into_iter().flatten() {
-        physics.cue.tip = tip(at.number(&FRACTION)?);
-        physics.cue.tip_off_centre_loss = 0.0;
-    }
-    let Some(loss) = fields.get("tip_off_centre_loss") else { return Ok(()) };
-    if matches!(physics.cue.tip, Tip::Efficiency(_)) && loss.number(&Range::any(""))? > 0.0 {
-        return Err(loss.refuse(
-            "tip_efficiency describes the loss off the centre, too",
-            "leave it out, or give tip_restitution instead of tip_efficiency",
-        ));
-    }
+    physics.cue.tip = tip(at.number(&FRACTION)?);
+    physics.cue.tip_off_centre_loss = 0.0;
     Ok(())
+}
+
+fn check_loss(at: &At<'_>, physics: &Physics) -> Result<(), Error> {
+    if physics.cue.tip_off_centre_loss == 0.0 {
+        return Ok(());
+    }
+    let what = "tip_efficiency describes the loss off the centre, too";
+    Err(at.refuse(what, "leave it out, or give tip_restitution instead of tip_efficiency"))
 }
 
 /// `physics` as a shot file has it, if `default` is the preset that belongs to the table; `None` if
@@ -207,64 +204,59 @@ impl Physics {
     /// All keys of `physics` as a shot file has them. They read back to the same bits over any
     /// base.
     pub fn to_node(&self) -> Node {
-        let mut node = Node::object([]);
-        write_values(self, "", &mut node);
+        let mut node = write_values(self, "");
         for (group, _) in GROUPS {
-            let mut values = Node::object([]);
-            write_values(self, group, &mut values);
-            node.set(group, values);
+            node.set(group, write_values(self, group));
         }
         node
     }
 }
 
-fn write_values(physics: &Physics, group: &str, node: &mut Node) {
-    for quantity in Quantity::of_group(group) {
-        write_value(physics, quantity, node);
+/// The values directly below a path, as an object.
+fn write_values(physics: &Physics, path: &str) -> Node {
+    let mut node = Node::object([]);
+    for quantity in Quantity::below(path) {
+        write_value(physics, quantity, &mut node);
     }
+    node
 }
 
 /// Writes the value into `node`, its group.
 pub(super) fn write_value(physics: &Physics, quantity: &Quantity, node: &mut Node) {
-    let key = quantity.key();
+    let key = quantity.split().1;
     match &quantity.shape {
         QuantityShape::Number(number) => node.set(key, (number.get)(physics)),
         QuantityShape::Model(_, name) => node.set(key, name(physics)),
         QuantityShape::Angle(angle) => STROKE_ELEVATION.write(node, (angle.get)(physics)),
         QuantityShape::Bands => node.set(key, physics.cloth.rolling_friction.to_node()),
-        QuantityShape::Tip => match physics.cue.tip {
-            Tip::Restitution(e) => node.set(TIPS[0].0, e),
-            Tip::Efficiency(eta) => node.set(TIPS[1].0, eta),
-        },
-        QuantityShape::Formula(fit) => match fit.as_constant(physics) {
+        QuantityShape::Tip(tip) => {
+            let (Tip::Restitution(number) | Tip::Efficiency(number)) = physics.cue.tip;
+            if tip(number) == physics.cue.tip {
+                node.set(key, number);
+            }
+        }
+        QuantityShape::Formula(_) => match quantity.constant(physics) {
             Some(coefficient) => node.set(key, coefficient),
-            None => node.set(key, write_numbers(physics, fit)),
+            // All numbers, because a base may have others.
+            None => node.set(key, write_values(physics, quantity.path)),
         },
     }
-}
-
-/// All numbers of a formula, because a base may have others.
-fn write_numbers(physics: &Physics, fit: &Formula) -> Node {
-    let mut numbers = Node::object([]);
-    for n in fit.numbers {
-        numbers.set(n.key, (n.number.get)(physics));
-    }
-    numbers
 }
 
 /// All keys of `physics`. Where the file's own `physics` has the name of a surface or a formula, the
 /// value has this form too.
 pub(super) fn write_as_given(physics: &Physics, own: &Node) -> Node {
     let mut node = physics.to_node();
-    for quantity in QUANTITIES {
-        let QuantityShape::Formula(fit) = &quantity.shape else { continue };
-        let form = match own.get(quantity.group()).and_then(|group| group.get(quantity.key())) {
+    let formulas = QUANTITIES.iter().filter(|q| matches!(q.shape, QuantityShape::Formula(_)));
+    for quantity in formulas {
+        let (group, key) = quantity.split();
+        let form = match own.get(group).and_then(|group| group.get(key)) {
             Some(name @ Node::Text(_)) => name.clone(),
-            Some(Node::Object(_)) => write_numbers(physics, fit),
+            Some(Node::Object(_)) => write_values(physics, quantity.path),
             _ => continue,
         };
-        if let Some(group) = node.get_mut(quantity.group()) {
-            group.set(quantity.key(), form);
+        if let Some(group) = node.get_mut(group) {
+            group.set(key, form);
         }
     }
     node

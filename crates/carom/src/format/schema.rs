@@ -6,11 +6,10 @@ use alloc::{format, vec};
 
 use super::angle::STROKE_ELEVATION;
 use super::node::Node;
-use super::physics::keys;
 use crate::edition;
 use crate::physics::MAX_ROLLING_BANDS;
 use crate::physics::quantities::{
-    BAND_END, FRACTION, FRICTION, Formula, GROUPS, Quantity, QuantityShape, TIPS, Words,
+    BAND_END, FRACTION, FRICTION, Formula, GROUPS, Quantity, QuantityShape,
 };
 use crate::range::Range;
 
@@ -28,96 +27,89 @@ pub fn definitions() -> Node {
     let about =
         "Without a date the newest values; with a date the values of that edition, for ever.";
     Node::object([
-        ("table_preset", words(about, &edition::names(edition::TABLES))),
-        ("physics_preset", words(about, &edition::names(edition::PHYSICS))),
+        ("table_preset", words(about, edition::names(edition::TABLES))),
+        ("physics_preset", words(about, edition::names(edition::PHYSICS))),
         ("physics", physics()),
     ])
 }
 
 fn physics() -> Node {
-    let preset = |fields: Vec<(&str, Node)>| {
-        let mut node = object(fields);
-        node.set("$ref", "#/$defs/physics_preset");
-        node
-    };
-    let base =
+    let preset = ("$ref", Node::from("#/$defs/physics_preset"));
+    let about =
         "Preset from which missing keys are taken; default: the preset that belongs to the table.";
-    let mut values = vec![("base", preset(vec![("description", base.into())]))];
+    let base = Node::object([("description", about.into()), preset.clone()]);
+    let mut values = vec![("base", base)];
     values.extend(properties(""));
     for (group, about) in GROUPS {
         let mut node = closed(about, properties(group));
-        let pairs = Quantity::of_group(group).map(|q| keys([q].into_iter()).collect::<Vec<_>>());
-        let pairs: Vec<_> = pairs.filter(|keys| keys.len() > 1).map(required).collect();
-        if !pairs.is_empty() {
-            node.set("not", Node::object([("anyOf", Node::List(pairs))]));
+        if *group == "cue" {
+            let tips = ["tip_restitution", "tip_efficiency"];
+            let pairs = [tips, STROKE_ELEVATION.keys()];
+            let both = |keys| Node::object([("required", Node::list(keys))]);
+            node.set("not", Node::object([("anyOf", Node::list(pairs.map(both)))]));
         }
         values.push((group, node));
     }
     let about = "A preset's name, or an object merged key by key over its base; default: the preset that \
                  belongs to the table.";
-    one_of(about, vec![preset(vec![]), closed("Physics, key by key.", values)])
+    one_of(about, vec![Node::object([preset]), closed("Physics, key by key.", values)])
 }
 
-fn properties(group: &str) -> Vec<(&'static str, Node)> {
-    Quantity::of_group(group).flat_map(value).collect()
-}
-
-/// The keys that a file may have for a value, with their schemas.
-fn value(quantity: &'static Quantity) -> Vec<(&'static str, Node)> {
-    let about = quantity.about;
-    let node = match &quantity.shape {
-        QuantityShape::Number(n) => number(about, &n.range),
-        QuantityShape::Model(models, _) => words(about, &(models.names)()),
-        QuantityShape::Formula(fit) => one_of(about, fit_choices(fit)),
-        QuantityShape::Bands => {
-            one_of(about, vec![number("The coefficient at every speed.", &FRICTION), bands()])
-        }
-        QuantityShape::Tip => {
-            return TIPS.map(|(key, about, _)| (key, number(about, &FRACTION))).to_vec();
-        }
-        QuantityShape::Angle(_) => {
-            let [radians, degrees] = STROKE_ELEVATION.keys();
-            let [in_radians, in_degrees] = STROKE_ELEVATION.ranges();
-            let instead = format!("{about} Instead of {degrees}.");
-            return vec![
-                (radians, number(&instead, &in_radians)),
-                (degrees, number(about, &in_degrees)),
-            ];
+/// The keys that a file may have below a path, with their schemas.
+fn properties(path: &str) -> Vec<(&'static str, Node)> {
+    let of = |quantity: &Quantity| {
+        let (key, about) = (quantity.split().1, quantity.about);
+        match &quantity.shape {
+            QuantityShape::Number(n) => vec![(key, number(about, &n.range))],
+            QuantityShape::Tip(_) => vec![(key, number(about, &FRACTION))],
+            QuantityShape::Model(models, _) => vec![(key, words(about, (models.names)()))],
+            QuantityShape::Formula(formula) => {
+                vec![(key, coefficient(quantity, formulas(quantity, formula)))]
+            }
+            QuantityShape::Bands => vec![(
+                key,
+                coefficient(quantity, vec![number("The same at every speed.", &FRICTION), bands()]),
+            )],
+            QuantityShape::Angle(_) => {
+                let ([radians, degrees], ranges) =
+                    (STROKE_ELEVATION.keys(), STROKE_ELEVATION.ranges());
+                let instead = format!("{about} Instead of {degrees}.");
+                vec![(radians, number(&instead, &ranges[0])), (degrees, number(about, &ranges[1]))]
+            }
         }
     };
-    let mut node = node;
-    if let Some(argument) = quantity.argument() {
-        node.set("argument", argument);
-    }
-    vec![(quantity.key(), node)]
+    Quantity::below(path).flat_map(of).collect()
 }
 
-fn fit_choices(fit: &'static Formula) -> Vec<Node> {
-    let surface =
-        |names: &Words| words("A surface of pool balls with measured throw.", &(names.names)());
-    let numbers = fit.numbers.iter().map(|n| {
-        let mut node = number(n.about, &n.number.range);
-        node.set("flat", n.flat);
-        (n.key, node)
-    });
-    let constant = number("The coefficient, if it is constant.", &fit.constant);
-    let formula = closed(fit.formula, numbers.collect());
-    fit.names.iter().map(surface).chain([constant, formula]).collect()
+/// A coefficient in one of several forms.
+fn coefficient(quantity: &Quantity, forms: Vec<Node>) -> Node {
+    let mut node = one_of(quantity.about, forms);
+    node.set("argument", quantity.law().map(|(argument, _)| argument));
+    node
+}
+
+fn formulas(quantity: &Quantity, formula: &Formula) -> Vec<Node> {
+    let mut numbers = properties(quantity.path);
+    for ((_, node), number) in numbers.iter_mut().zip(quantity.numbers()) {
+        node.set("flat", number.flat);
+    }
+    let names = formula.names.as_ref().map(|names| (names.names)());
+    let surface = names.map(|names| words("A surface of pool balls with measured throw.", names));
+    let constant = number("The coefficient, if it is constant.", &formula.constant);
+    surface.into_iter().chain([constant, closed(formula.text, numbers)]).collect()
 }
 
 fn bands() -> Node {
-    let number = |about, range| number(about, range);
-    let mut band = closed(
-        "A band of speeds.",
-        vec![
-            ("up_to", number("Largest speed of the band.", &BAND_END)),
-            ("friction", number("Coefficient of rolling resistance in the band.", &FRICTION)),
-        ],
-    );
+    let about = "Coefficient of rolling resistance in the band.";
+    let properties = vec![
+        ("up_to", number("Largest speed of the band.", &BAND_END)),
+        ("friction", number(about, &FRICTION)),
+    ];
+    let mut band = closed("A band of speeds.", properties);
     band.set("required", Node::list(["friction"]));
     let about =
         "Bands in ascending order of speed. Every band but the last has an end; the ends increase.";
-    object(vec![
+    Node::object([
         ("type", "array".into()),
         ("description", about.into()),
         ("minItems", 1_u32.into()),
@@ -128,23 +120,21 @@ fn bands() -> Node {
 
 fn number(about: &str, range: &Range) -> Node {
     let unit = range.unit();
-    let mut fields =
-        vec![("type", Node::from("number")), ("description", with_unit(about, unit).into())];
-    fields.extend(range.limits().map(|(keyword, limit)| (keyword, limit.into())));
-    if !unit.is_empty() {
-        fields.push(("unit", unit.into()));
-    }
-    object(fields)
-}
-
-/// The sentence with the unit at the end of its first clause.
-fn with_unit(about: &str, unit: &str) -> String {
+    // The unit is at the end of the first clause.
     let (clause, rest) = about.split_at(about.find(['.', ':', ';']).unwrap_or(about.len()));
-    if unit.is_empty() { about.into() } else { format!("{clause}, {unit}{rest}") }
+    let about = if unit.is_empty() { about.into() } else { format!("{clause}, {unit}{rest}") };
+    let mut node = Node::object([("type", "number".into()), ("description", about.into())]);
+    for (keyword, limit) in range.limits() {
+        node.set(keyword, limit);
+    }
+    if !unit.is_empty() {
+        node.set("unit", unit);
+    }
+    node
 }
 
-fn words(about: &str, names: &[&'static str]) -> Node {
-    Node::object([("description", about.into()), ("enum", Node::list(names.iter().copied()))])
+fn words(about: &str, names: Vec<&'static str>) -> Node {
+    Node::object([("description", about.into()), ("enum", Node::list(names))])
 }
 
 fn one_of(about: &str, choices: Vec<Node>) -> Node {
@@ -153,18 +143,12 @@ fn one_of(about: &str, choices: Vec<Node>) -> Node {
 
 /// An object without other keys.
 fn closed(about: &str, properties: Vec<(&str, Node)>) -> Node {
+    let properties =
+        properties.into_iter().map(|(key, value)| (String::from(key), value)).collect();
     Node::object([
         ("type", "object".into()),
         ("description", about.into()),
         ("additionalProperties", false.into()),
-        ("properties", object(properties)),
+        ("properties", Node::Object(properties)),
     ])
-}
-
-fn required(keys: Vec<&'static str>) -> Node {
-    Node::object([("required", Node::list(keys))])
-}
-
-fn object(fields: Vec<(&str, Node)>) -> Node {
-    Node::Object(fields.into_iter().map(|(key, value)| (key.into(), value)).collect())
 }

@@ -25,7 +25,7 @@ const CONTACT_TIME: Range = Range::closed(5e-5, 5e-2, " s");
 
 /// One value of the physics.
 pub(crate) struct Quantity {
-    /// The keys of its group and its own: `cloth.sliding_friction`.
+    /// The keys that lead to it: `cloth.sliding_friction`.
     pub(crate) path: &'static str,
     /// What it is, for programmers, without the unit.
     pub(crate) about: &'static str,
@@ -35,23 +35,24 @@ pub(crate) struct Quantity {
 
 /// How a file has a value.
 pub(crate) enum QuantityShape {
-    /// A number.
     Number(Number),
-    /// [`STROKE_ELEVATION`](crate::format): an angle in radians or in degrees.
+    /// An angle in radians or in degrees, with the keys and ranges of `format::angle`.
     Angle(Number),
-    /// The name of a published model.
+    /// The name of a published model, and what gives it.
     Model(Words, fn(&Physics) -> &'static str),
-    /// A number, the numbers of a formula, or a name.
+    /// A number, the name of a surface, or an object: the rows with its path before their key.
     Formula(Formula),
     /// A number, or a list of speed bands: `cloth.rolling_friction`.
     Bands,
-    /// [`Tip`]: the key says which of two properties the number is.
-    Tip,
+    /// The number of a [`Tip`] that is of this kind.
+    Tip(fn(f64) -> Tip),
 }
 
 /// A number and its field.
 pub(crate) struct Number {
     pub(crate) range: Range,
+    /// In a formula, its value where the coefficient is constant.
+    pub(crate) flat: f64,
     pub(crate) get: fn(&Physics) -> f64,
     pub(crate) place: fn(&mut Physics) -> &mut f64,
 }
@@ -65,35 +66,18 @@ pub(crate) struct Words {
     pub(crate) set: fn(&mut Physics, usize),
 }
 
+/// What gives a coefficient at a speed (m/s) or an angle (rad).
+pub(crate) type Law = fn(&Physics, f64) -> f64;
+
 /// A coefficient as a formula of a speed or an angle.
 pub(crate) struct Formula {
-    pub(crate) law: FormulaLaw,
-    pub(crate) formula: &'static str,
+    pub(crate) text: &'static str,
+    /// What it depends on: `speed` (m/s) or `angle` (rad).
+    pub(crate) argument: &'static str,
+    pub(crate) at: Law,
     /// The range of a constant coefficient.
     pub(crate) constant: Range,
-    /// The numbers of the formula. A constant is the first one alone.
-    pub(crate) numbers: &'static [FormulaNumber],
     pub(crate) names: Option<Words>,
-}
-
-/// Which formula.
-#[derive(Clone, Copy, PartialEq, Eq)]
-pub(crate) enum FormulaLaw {
-    /// [`SlipFriction`] between balls.
-    SlipFriction,
-    /// [`CushionRestitution`](super::CushionRestitution).
-    CushionRestitution,
-    /// [`CushionFriction`](super::CushionFriction).
-    CushionFriction,
-}
-
-/// A number of a formula.
-pub(crate) struct FormulaNumber {
-    pub(crate) key: &'static str,
-    pub(crate) about: &'static str,
-    /// Its value where the coefficient is constant.
-    pub(crate) flat: f64,
-    pub(crate) number: Number,
 }
 
 /// The groups of a shot file's `physics`.
@@ -114,20 +98,21 @@ pub(crate) const GROUPS: &[(&str, &str)] = &[
 ];
 
 macro_rules! number {
-    ($range:expr, $($field:ident).+) => {
-        Number { range: $range, get: |p| p.$($field).+, place: |p| &mut p.$($field).+ }
+    ($range:expr, $flat:expr, $($field:ident).+) => {
+        Number { range: $range, flat: $flat, get: |p| p.$($field).+, place: |p| &mut p.$($field).+ }
     };
 }
 
 macro_rules! shape {
-    (number($range:expr) $($field:ident).+) => { QuantityShape::Number(number!($range, $($field).+)) };
-    // Its ranges are those of `format::angle`.
-    (angle() $($field:ident).+) => { QuantityShape::Angle(number!(FRICTION, $($field).+)) };
+    (number($range:expr $(, flat $flat:literal)?) $($field:ident).+) => {
+        QuantityShape::Number(number!($range, 0.0 $(+ $flat)?, $($field).+))
+    };
+    (angle() $($field:ident).+) => { QuantityShape::Angle(number!(FRICTION, 0.0, $($field).+)) };
     (model($Model:ident, $kind:literal $(, $then:expr)?) $($field:ident).+) => {
         QuantityShape::Model(
             Words {
                 kind: $kind,
-                names: || $Model::NAMED.iter().map(|(name, _)| *name).collect(),
+                names: || $Model::ALL.map($Model::name).to_vec(),
                 set: |p, i| {
                     p.$($field).+ = $Model::ALL[i];
                     $($then(p);)?
@@ -136,22 +121,22 @@ macro_rules! shape {
             |p| p.$($field).+.name(),
         )
     };
-    (fit($fit:expr) $($field:ident).+) => { QuantityShape::Formula($fit) };
+    (formula($formula:expr) $($field:ident).+) => { QuantityShape::Formula($formula) };
     (bands() $($field:ident).+) => { QuantityShape::Bands };
-    (tip() $($field:ident).+) => { QuantityShape::Tip };
+    (tip($tip:expr) $($field:ident).+) => { QuantityShape::Tip($tip) };
 }
 
 macro_rules! quantities {
-    ($($group:ident$(.$key:ident)?: $shape:ident($($detail:tt)*) $about:literal;)+) => {
+    ($($first:ident$(.$key:ident)*: $shape:ident($($detail:tt)*) $about:literal;)+) => {
         &[$(Quantity {
-            path: concat!(stringify!($group) $(, ".", stringify!($key))?),
+            path: concat!(stringify!($first) $(, ".", stringify!($key))*),
             about: $about,
-            shape: shape!($shape($($detail)*) $group$(.$key)?),
+            shape: shape!($shape($($detail)*) $first$(.$key)*),
         }),+]
     };
 }
 
-/// All values, those without a group first.
+/// All values; the numbers of a formula are behind it.
 pub(crate) const QUANTITIES: &[Quantity] = quantities! {
     gravity: number(Range::positive(" m/s²")) "Gravitational acceleration.";
 
@@ -168,16 +153,26 @@ pub(crate) const QUANTITIES: &[Quantity] = quantities! {
         "The published model.";
     ball_ball.restitution: number(FRACTION)
         "Coefficient of normal restitution; with the model elastic the default is 1.";
-    ball_ball.friction: fit(SLIP_FRICTION)
+    ball_ball.friction: formula(SLIP_FRICTION)
         "Coefficient of friction, μ(s) = a + b·exp(−c·s) of the slip speed s in m/s, or the name of a surface; a + b ≥ 0. Missing keys are taken from the base.";
+    ball_ball.friction.a: number(FRICTION) "Limit at high slip speed.";
+    ball_ball.friction.b: number(Range::any("")) "Addition at slip speed 0.";
+    ball_ball.friction.c: number(Range::not_negative(" s/m")) "Decay.";
     ball_ball.frequency_ratio: number(FREQUENCY_RATIO) "ω_t/ω_n of the model compliant.";
 
     cushion.model: model(CushionModel, "cushion model")
         "The published model; restitution: normal velocity × −e and nothing else changes; factors: normal velocity × −e, velocity along the rail × tangential_factor, spin × spin_factor.";
-    cushion.restitution: fit(CUSHION_RESTITUTION)
+    cushion.restitution: formula(CUSHION_RESTITUTION)
         "Coefficient of restitution: a number, or e = a + bV + cV² of the normal speed V in m/s, kept in [lowest, highest].";
-    cushion.friction: fit(CUSHION_FRICTION)
+    cushion.restitution.a: number(Range::any("")) "Constant part.";
+    cushion.restitution.b: number(Range::any(" per m/s")) "Rise with the normal speed.";
+    cushion.restitution.c: number(Range::any(" per (m/s)²")) "Rise with its square.";
+    cushion.restitution.lowest: number(FRACTION) "Lower limit of e, at most highest.";
+    cushion.restitution.highest: number(FRACTION, flat 1.0) "Upper limit of e.";
+    cushion.friction: formula(CUSHION_FRICTION)
         "Coefficient of friction: a number, or μ = a + bγ of the incidence γ from the normal in rad, at least 0.";
+    cushion.friction.a: number(FRICTION) "Constant part.";
+    cushion.friction.b: number(Range::any(" per rad")) "Rise with the incidence.";
     cushion.frequency_ratio: number(FREQUENCY_RATIO) "ω_t/ω_n of the model stronge.";
     cushion.tangential_factor: number(FRACTION)
         "Share of the velocity along the rail that the model factors keeps.";
@@ -198,7 +193,10 @@ pub(crate) const QUANTITIES: &[Quantity] = quantities! {
     cue.tip_radius: number(Range::not_negative(" m")) "Radius of the tip's curvature.";
     cue.tip_friction: number(FRICTION)
         "Friction between tip and ball. It sets the miscue limit.";
-    cue.tip: tip() "How much of the impact the tip returns.";
+    cue.tip_restitution: tip(Tip::Restitution)
+        "Newton's coefficient of restitution of the tip; replaces the base's efficiency.";
+    cue.tip_efficiency: tip(Tip::Efficiency)
+        "Energy efficiency η of the tip (TP A.30); replaces the base's restitution.";
     cue.tip_off_centre_loss: number(Range::not_negative(""))
         "c: the tip's restitution is e/√(1 + c·tan²β), where β is the angle between the cue's axis and the ball's surface normal. Writing tip_restitution or tip_efficiency sets it to 0.";
     cue.stroke_elevation: angle()
@@ -208,74 +206,34 @@ pub(crate) const QUANTITIES: &[Quantity] = quantities! {
     contact_times.slate: number(CONTACT_TIME) "The ball on the slate.";
 };
 
-/// A property of the tip: its key, its meaning, and the tip with a number of it.
-type TipProperty = (&'static str, &'static str, fn(f64) -> Tip);
-
-/// The two properties of [`Tip`].
-pub(crate) const TIPS: [TipProperty; 2] = [
-    (
-        "tip_restitution",
-        "Newton's coefficient of restitution of the tip; replaces the base's efficiency.",
-        Tip::Restitution,
-    ),
-    (
-        "tip_efficiency",
-        "Energy efficiency η of the tip (TP A.30); replaces the base's restitution.",
-        Tip::Efficiency,
-    ),
-];
-
-macro_rules! numbers {
-    ($group:ident.$quantity:ident {
-        $($key:ident: $range:expr, flat $flat:literal, $about:literal;)+
-    }) => {
-        &[$(FormulaNumber {
-            key: stringify!($key),
-            about: $about,
-            flat: $flat,
-            number: number!($range, $group.$quantity.$key),
-        }),+]
-    };
-}
-
 const SLIP_FRICTION: Formula = Formula {
-    law: FormulaLaw::SlipFriction,
-    formula: "μ(s) = a + b·exp(−c·s).",
+    text: "μ(s) = a + b·exp(−c·s).",
+    argument: "speed",
+    at: |p, slip| p.ball_ball.friction.at(slip),
     constant: FRICTION,
-    numbers: numbers! { ball_ball.friction {
-        a: FRICTION, flat 0.0, "Limit at high slip speed.";
-        b: Range::any(""), flat 0.0, "Addition at slip speed 0.";
-        c: Range::not_negative(" s/m"), flat 0.0, "Decay.";
-    }},
     names: Some(Words {
         kind: "surface of the balls",
-        names: || SlipFriction::SURFACES.map(|(name, _)| name).into(),
+        names: || SlipFriction::SURFACES.map(|(name, _)| name).to_vec(),
         set: |p, i| p.ball_ball.friction = SlipFriction::SURFACES[i].1,
     }),
 };
 
 const CUSHION_RESTITUTION: Formula = Formula {
-    law: FormulaLaw::CushionRestitution,
-    formula: "e = a + bV + cV².",
+    text: "e = a + bV + cV².",
+    argument: "speed",
+    at: |p, speed| p.cushion.restitution.at(speed),
     constant: FRACTION,
-    numbers: numbers! { cushion.restitution {
-        a: Range::any(""), flat 0.0, "Constant part.";
-        b: Range::any(" per m/s"), flat 0.0, "Rise with the normal speed.";
-        c: Range::any(" per (m/s)²"), flat 0.0, "Rise with its square.";
-        lowest: FRACTION, flat 0.0, "Lower limit of e, at most highest.";
-        highest: FRACTION, flat 1.0, "Upper limit of e.";
-    }},
     names: None,
 };
 
 const CUSHION_FRICTION: Formula = Formula {
-    law: FormulaLaw::CushionFriction,
-    formula: "μ = a + bγ.",
+    text: "μ = a + bγ.",
+    argument: "angle",
+    at: |p, incidence| {
+        let (sin, cos) = sin_cos(incidence);
+        p.cushion.friction.at(sin, cos)
+    },
     constant: FRICTION,
-    numbers: numbers! { cushion.friction {
-        a: FRICTION, flat 0.0, "Constant part.";
-        b: Range::any(" per rad"), flat 0.0, "Rise with the incidence.";
-    }},
     names: None,
 };
 
@@ -287,95 +245,61 @@ fn of_elastic_balls(physics: &mut Physics) {
 }
 
 impl Quantity {
-    /// The value at `path`, such as `cloth.sliding_friction`.
+    /// The value at `path`.
     pub(crate) fn find(path: &str) -> Option<&'static Self> {
         QUANTITIES.iter().find(|quantity| quantity.path == path)
     }
 
-    /// The values of a group; those outside of all groups for an empty key.
-    pub(crate) fn of_group(group: &str) -> impl Iterator<Item = &'static Self> + Clone {
-        QUANTITIES.iter().filter(move |quantity| quantity.group() == group)
-    }
-
-    /// The key of the group, empty outside of groups, and its own.
-    fn split(&self) -> (&'static str, &'static str) {
-        self.path.split_once('.').unwrap_or(("", self.path))
-    }
-
-    /// The key of its group; empty outside of groups.
-    pub(crate) fn group(&self) -> &'static str {
-        self.split().0
-    }
-
-    /// Its key in its group.
-    pub(crate) fn key(&self) -> &'static str {
-        self.split().1
-    }
-
-    /// The unit of the number that a file has under `key`, which is [`Self::key`] or a key below it;
-    /// empty if it has none.
-    pub(crate) fn unit(&self, key: &str) -> &'static str {
-        match &self.shape {
-            QuantityShape::Number(number) => number.range.unit(),
-            QuantityShape::Angle(_) => {
-                if key.ends_with("_deg") {
-                    "deg"
-                } else {
-                    "rad"
-                }
-            }
-            QuantityShape::Formula(fit) => {
-                let number = fit
-                    .numbers
-                    .iter()
-                    .find(|n| key.split_once('.').is_some_and(|(_, k)| k == n.key));
-                number.map_or("", |n| n.number.range.unit())
-            }
-            QuantityShape::Model(..) | QuantityShape::Bands | QuantityShape::Tip => "",
+    /// The unit of the number that a file has at `path`; empty if it has none.
+    pub(crate) fn unit(path: &str) -> &'static str {
+        let in_degrees = path.strip_suffix("_deg");
+        match Self::find(in_degrees.unwrap_or(path)).map(|quantity| &quantity.shape) {
+            Some(QuantityShape::Number(number)) => number.range.unit(),
+            Some(QuantityShape::Angle(_)) if in_degrees.is_some() => "deg",
+            Some(QuantityShape::Angle(_)) => "rad",
+            _ => "",
         }
     }
 
-    /// The coefficient at a speed (m/s) or an angle of incidence (rad); `None` if none can be given.
-    pub(crate) fn at(&self, physics: &Physics, at: f64) -> Option<f64> {
-        let Physics { cloth, ball_ball, cushion, .. } = physics;
-        match &self.shape {
-            QuantityShape::Bands => Some(cloth.rolling_friction.at(at)),
-            QuantityShape::Formula(fit) => Some(match fit.law {
-                FormulaLaw::SlipFriction => ball_ball.friction.at(at),
-                FormulaLaw::CushionRestitution => cushion.restitution.at(at),
-                FormulaLaw::CushionFriction => {
-                    let (sin, cos) = sin_cos(at);
-                    cushion.friction.at(sin, cos)
-                }
-            }),
+    /// The values directly below `path`: of a group or of a formula; those outside of groups if it is
+    /// empty.
+    pub(crate) fn below(path: &str) -> impl Iterator<Item = &'static Self> {
+        QUANTITIES.iter().filter(move |quantity| quantity.split().0 == path)
+    }
+
+    /// The path of its group or formula, empty outside of groups, and its own key.
+    pub(crate) fn split(&self) -> (&'static str, &'static str) {
+        self.path.rsplit_once('.').unwrap_or(("", self.path))
+    }
+
+    /// The numbers of a formula.
+    pub(crate) fn numbers(&self) -> impl Iterator<Item = &'static Number> {
+        Self::below(self.path).filter_map(|quantity| match &quantity.shape {
+            QuantityShape::Number(number) => Some(number),
             _ => None,
-        }
+        })
     }
 
-    /// What the coefficient depends on, if it may depend on something.
-    pub(crate) fn argument(&self) -> Option<&'static str> {
-        match &self.shape {
-            QuantityShape::Formula(Formula { law: FormulaLaw::CushionFriction, .. }) => {
-                Some("angle")
-            }
-            QuantityShape::Formula(_) | QuantityShape::Bands => Some("speed"),
-            _ => None,
-        }
-    }
-}
-
-impl Formula {
-    /// The coefficient, if it is the same at every speed or angle.
-    pub(crate) fn as_constant(&self, physics: &Physics) -> Option<f64> {
-        let (first, others) = self.numbers.split_first()?;
-        let is_flat = others.iter().all(|n| (n.number.get)(physics) == n.flat);
-        is_flat.then(|| (first.number.get)(physics))
+    /// The coefficient of a formula, if it is the same at every speed or angle: its first number.
+    pub(crate) fn constant(&self, physics: &Physics) -> Option<f64> {
+        let mut numbers = self.numbers();
+        let first = numbers.next()?;
+        numbers.all(|n| (n.get)(physics) == n.flat).then(|| (first.get)(physics))
     }
 
-    /// Makes the coefficient the same at every speed or angle.
+    /// Makes the coefficient of a formula the same at every speed or angle.
     pub(crate) fn set_constant(&self, physics: &mut Physics, coefficient: f64) {
-        for (i, n) in self.numbers.iter().enumerate() {
-            *(n.number.place)(physics) = if i == 0 { coefficient } else { n.flat };
+        for (i, n) in self.numbers().enumerate() {
+            *(n.place)(physics) = if i == 0 { coefficient } else { n.flat };
+        }
+    }
+
+    /// What a coefficient may depend on, and its law.
+    pub(crate) fn law(&self) -> Option<(&'static str, Law)> {
+        match &self.shape {
+            QuantityShape::Formula(formula) => Some((formula.argument, formula.at)),
+            QuantityShape::Bands => Some(("speed", |p, speed| p.cloth.rolling_friction.at(speed))),
+            _ => None,
         }
     }
 }
