@@ -270,6 +270,13 @@ pub struct Surface {
     pub friction: f64,
 }
 
+impl Surface {
+    /// A surface with a restitution and a friction.
+    pub const fn new(restitution: f64, friction: f64) -> Self {
+        Self { restitution, friction }
+    }
+}
+
 /// How much of the impact the tip returns.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Tip {
@@ -335,9 +342,9 @@ mod tests {
     #[test]
     fn every_part_of_a_cushion_acts_in_its_model_with_its_own_surface() {
         let physics = Physics {
-            facing: Surface { restitution: 0.61, friction: 0.31 },
-            liner: Surface { restitution: 0.42, friction: 0.22 },
-            slate: Surface { restitution: 0.53, friction: 0.13 },
+            facing: Surface::new(0.61, 0.31),
+            liner: Surface::new(0.42, 0.22),
+            slate: Surface::new(0.53, 0.13),
             ..Physics::snooker()
         };
         assert_eq!(physics.cushion_of(Part::Nose), physics.cushion);

@@ -1,10 +1,11 @@
 //! The judge's laws and the engine's give the same motion, although they are computed in different
 //! ways.
 
+use std::sync::LazyLock;
+
+use carom::Physics;
 use carom::math::{Vec3, sqrt};
-use carom::physics::{
-    Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution, RollingFriction,
-};
+use carom::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
 use carom::resolve::{Body, ball_cushion};
 
 use super::{RailImpact, Rebound};
@@ -16,28 +17,24 @@ const ROUNDING: f64 = 1e-12;
 /// Random impacts of each model.
 const IMPACTS: usize = 2000;
 
-const CLOTH: Cloth = Cloth {
-    sliding_friction: 0.2,
-    rolling_friction: RollingFriction::constant(0.01),
-    spin_deceleration: 10.0,
-};
+static CLOTH: LazyLock<Cloth> =
+    LazyLock::new(|| Cloth { sliding_friction: 0.2, ..Physics::pool().cloth });
 
 /// A random law of `model`, within and beyond the published parameters.
 fn law(random: &mut Random, model: CushionModel) -> Cushion {
-    Cushion {
-        model,
-        restitution: CushionRestitution {
-            a: random.between(0.0, 1.0),
-            b: random.between(-0.1, 0.1),
-            c: random.between(-0.02, 0.02),
-            lowest: random.between(0.0, 0.5),
-            highest: random.between(0.5, 1.0),
-        },
-        friction: CushionFriction { a: random.between(0.0, 0.6), b: random.between(-0.2, 0.2) },
-        frequency_ratio: random.between(1.05, 1.95),
-        tangential_factor: random.between(0.0, 1.0),
-        spin_factor: random.between(0.0, 1.0),
-    }
+    let mut law = Cushion { model, ..Physics::pool().cushion };
+    law.restitution = CushionRestitution {
+        a: random.between(0.0, 1.0),
+        b: random.between(-0.1, 0.1),
+        c: random.between(-0.02, 0.02),
+        lowest: random.between(0.0, 0.5),
+        highest: random.between(0.5, 1.0),
+    };
+    law.friction = CushionFriction { a: random.between(0.0, 0.6), b: random.between(-0.2, 0.2) };
+    law.frequency_ratio = random.between(1.05, 1.95);
+    law.tangential_factor = random.between(0.0, 1.0);
+    law.spin_factor = random.between(0.0, 1.0);
+    law
 }
 
 /// A ball that slides or rolls into a rail, with noses below and above its centre.

@@ -225,7 +225,7 @@ fn is_slippery(law: &BallBall, normal: Vec3, states: &[BallState; 2], balls: &[B
 fn meet_edge(law: &Cushion, physics: &Physics, edge: &Edge, is_liner: bool, ball: Body) -> Body {
     if edge.presses(physics.gravity, &ball) {
         let (e, mu) = (law.restitution.at(0.0), law.friction.a);
-        let surface = Surface { restitution: e, friction: mu };
+        let surface = Surface::new(e, mu);
         let mut pressed = ball;
         ball_edge::resolve(&surface, physics.gravity, edge, &mut pressed);
         return pressed;

@@ -1,19 +1,19 @@
 //! Laws that every model of a collision of two balls obeys: energy, momentum, angular momentum
 //! about the contact, symmetry. The inputs are pseudo-random and the same in every run.
 
+use std::sync::LazyLock;
+
 use crate::near::assert_near;
 use crate::random::Random;
+use carom::Physics;
 use carom::math::{Vec2, Vec3, exp, sin_cos, sqrt};
-use carom::physics::{BallBall, BallBallModel, Cloth, RollingFriction, SlipFriction};
+use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
 use carom::resolve::ball_ball;
 use carom::resolve::network::{self, Touch};
 use carom::resolve::{Body, ball_slate};
 
-const CLOTH: Cloth = Cloth {
-    sliding_friction: 0.2,
-    rolling_friction: RollingFriction::constant(0.01),
-    spin_deceleration: 10.0,
-};
+static CLOTH: LazyLock<Cloth> =
+    LazyLock::new(|| Cloth { sliding_friction: 0.2, ..Physics::pool().cloth });
 const GRAVITY: f64 = 9.81;
 const IMPACTS: u32 = 100_000;
 
@@ -61,16 +61,14 @@ impl RandomImpact {
             (a.velocity.z, b.velocity.z) = (0.0, 0.0);
         }
         let normal = Self::normal(random, on_bed, &a, &b);
-        let law = BallBall {
-            model,
-            restitution: if random.pick(3) == 0 { 1.0 } else { random.between(0.0, 1.0) },
-            friction: SlipFriction {
-                a: random.between(0.0, 0.3),
-                b: random.between(0.0, 0.3),
-                c: random.between(0.0, 2.0),
-            },
-            frequency_ratio: random.between(1.0, 2.0),
+        let mut law = BallBall { model, ..Physics::pool().ball_ball };
+        law.restitution = if random.pick(3) == 0 { 1.0 } else { random.between(0.0, 1.0) };
+        law.friction = SlipFriction {
+            a: random.between(0.0, 0.3),
+            b: random.between(0.0, 0.3),
+            c: random.between(0.0, 2.0),
         };
+        law.frequency_ratio = random.between(1.0, 2.0);
         Self { law, normal, a, b }
     }
 

@@ -1,16 +1,16 @@
 //! Mathavan 2014 compared with an independent implementation of its force laws, in many small equal
 //! steps of impulse, as in the paper.
 
+use std::sync::LazyLock;
+
 use crate::near::assert_near;
+use carom::Physics;
 use carom::math::{Vec3, cos, radians, sin};
-use carom::physics::{BallBall, BallBallModel, Cloth, RollingFriction, SlipFriction};
+use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
 use carom::resolve::{Body, ball_ball};
 
-const CLOTH: Cloth = Cloth {
-    sliding_friction: 0.212,
-    rolling_friction: RollingFriction::constant(0.01),
-    spin_deceleration: 22.0,
-};
+static CLOTH: LazyLock<Cloth> =
+    LazyLock::new(|| Cloth { sliding_friction: 0.212, ..Physics::pool().cloth });
 const UP: Vec3 = Vec3::new(0.0, 0.0, 1.0);
 const STEPS: u32 = 160_000;
 
@@ -26,7 +26,7 @@ fn law(restitution: f64, friction: f64) -> BallBall {
         model: BallBallModel::Mathavan2014,
         restitution,
         friction: SlipFriction::constant(friction),
-        frequency_ratio: 1.7,
+        ..Physics::pool().ball_ball
     }
 }
 

@@ -11,7 +11,7 @@ fn law(model: BallBallModel, friction: f64) -> BallBall {
         model,
         restitution: 0.9,
         friction: SlipFriction::constant(friction),
-        frequency_ratio: 1.7,
+        ..Physics::pool().ball_ball
     }
 }
 

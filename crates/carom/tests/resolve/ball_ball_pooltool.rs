@@ -1,15 +1,15 @@
 //! Ball–ball collisions compared with pooltool 0.6.0, sample by sample.
 
+use std::sync::LazyLock;
+
 use crate::near::assert_near;
+use carom::Physics;
 use carom::math::{Vec2, Vec3, sqrt};
-use carom::physics::{BallBall, BallBallModel, Cloth, RollingFriction, SlipFriction};
+use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
 use carom::resolve::{Body, ball_ball};
 
-const CLOTH: Cloth = Cloth {
-    sliding_friction: 0.2,
-    rolling_friction: RollingFriction::constant(0.01),
-    spin_deceleration: 10.9,
-};
+static CLOTH: LazyLock<Cloth> =
+    LazyLock::new(|| Cloth { sliding_friction: 0.2, ..Physics::pool().cloth });
 /// Restitution.
 const E: f64 = 0.95;
 
@@ -36,7 +36,7 @@ fn compare(model: BallBallModel, column: usize, tolerance: f64) {
         model,
         restitution: if model == BallBallModel::Elastic { 1.0 } else { E },
         friction: SlipFriction { a: 0.009951 * correction, b: 0.108 * correction, c: 1.088 },
-        frequency_ratio: 1.7,
+        ..Physics::pool().ball_ball
     };
     let mut compared = 0;
     let mut worst = 0.0_f64;

@@ -1,18 +1,18 @@
 //! Published numbers of ball–ball collisions (Alciatore's technical proofs, Kim, Mathavan).
 
+use std::sync::LazyLock;
+
 use crate::near::assert_near;
+use carom::Physics;
 use carom::math::{Vec2, Vec3, asin, atan2, cos, radians, sin};
-use carom::physics::{BallBall, BallBallModel, Cloth, RollingFriction, SlipFriction};
+use carom::physics::{BallBall, BallBallModel, Cloth, SlipFriction};
 use carom::resolve::{Body, ball_ball};
 
 const MPH: f64 = 0.44704;
 /// Alciatore's ball, inches to metres: 1⅛ in.
 const RADIUS: f64 = 0.028575;
-const CLOTH: Cloth = Cloth {
-    sliding_friction: 0.2,
-    rolling_friction: RollingFriction::constant(0.01),
-    spin_deceleration: 10.0,
-};
+static CLOTH: LazyLock<Cloth> =
+    LazyLock::new(|| Cloth { sliding_friction: 0.2, ..Physics::pool().cloth });
 /// TP A.14.
 const ALCIATORE: SlipFriction = SlipFriction { a: 0.009951, b: 0.108, c: 1.088 };
 
@@ -21,7 +21,12 @@ fn degrees(angle: f64) -> f64 {
 }
 
 fn law(restitution: f64, friction: SlipFriction) -> BallBall {
-    BallBall { model: BallBallModel::Frictional, restitution, friction, frequency_ratio: 1.7 }
+    BallBall {
+        model: BallBallModel::Frictional,
+        restitution,
+        friction,
+        ..Physics::pool().ball_ball
+    }
 }
 
 /// The cue ball moves along +y at `speed` with `spin` and hits a resting equal ball. The line of
@@ -231,7 +236,7 @@ fn bb18_a_full_rolling_hit_leaves_the_cue_ball_the_speed_that_restitution_predic
 fn bb22_mathavan_2014_on_the_papers_own_shots() {
     // Shots 2 to 4 of the paper's table are those of Mathavan et al. 2009 (row BB20), which has
     // their speeds and cuts. The numbers are those after both balls roll.
-    let cloth = Cloth { sliding_friction: 0.21, ..CLOTH };
+    let cloth = Cloth { sliding_friction: 0.21, ..*CLOTH };
     let law =
         BallBall { model: BallBallModel::Mathavan2014, ..law(0.89, SlipFriction::constant(0.05)) };
     let radius = 0.02625;

@@ -13,10 +13,9 @@
 //! * All its models first move the ball 1 µm away; the directions here are those after this move.
 //! * All its models set the vertical velocity after the impact to 0.
 
+use carom::Physics;
 use carom::math::{Vec2, Vec3, sqrt};
-use carom::physics::{
-    Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution, RollingFriction,
-};
+use carom::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
 use carom::resolve::{Body, ball_cushion::resolve};
 use serde_json::Value;
 
@@ -34,14 +33,9 @@ fn largest_difference(data: &Value, kind: &str, name: &str, model: CushionModel,
         restitution: CushionRestitution::constant(e),
         friction: CushionFriction { a: f("f_c"), b: 0.0 },
         frequency_ratio: 1.7,
-        tangential_factor: 1.0,
-        spin_factor: 1.0,
+        ..Physics::pool().cushion
     };
-    let cloth = Cloth {
-        sliding_friction: f("u_s"),
-        rolling_friction: RollingFriction::constant(0.01),
-        spin_deceleration: 10.9,
-    };
+    let cloth = Cloth { sliding_friction: f("u_s"), ..Physics::pool().cloth };
     let nose = f("cushion_height") - radius;
     let mut largest: f64 = 0.0;
     for sample in data[kind].as_array().expect("samples") {

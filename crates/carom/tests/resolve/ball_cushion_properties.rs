@@ -1,10 +1,9 @@
 //! Laws that every cushion model obeys with any parameters.
 
 use crate::random::Random;
+use carom::Physics;
 use carom::math::{Vec2, Vec3, atan2, sin_cos, sqrt};
-use carom::physics::{
-    Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution, RollingFriction,
-};
+use carom::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
 use carom::resolve::{Body, ball_cushion::resolve};
 
 const MODELS: [CushionModel; 5] = [
@@ -58,29 +57,25 @@ fn case(model: CushionModel, random: &mut Random) -> Case {
         let rolling = velocity.xy().perp() * (1.0 / radius);
         spin = rolling.with_z(one_of(random, [0.0, spin.z]));
     }
+    let mut law = Cushion { model, ..Physics::pool().cushion };
+    law.restitution = CushionRestitution {
+        a: one_of(random, [0.0, 0.05, 0.39, 0.85, 1.0, 1.4, -0.3]),
+        b: one_of(random, [0.0, 0.257]),
+        c: one_of(random, [0.0, -0.044]),
+        lowest: 0.0,
+        highest: 1.0,
+    };
+    law.friction = CushionFriction {
+        a: one_of(random, [0.0, 0.02, 0.14, 0.2, 0.471, 1.0]),
+        b: one_of(random, [0.0, -0.241, -0.6]),
+    };
+    law.frequency_ratio = random.between(1.0, 2.0);
+    law.tangential_factor = one_of(random, [0.0, 0.9, 1.0]);
+    law.spin_factor = one_of(random, [0.0, 0.1, 1.0]);
+    let sliding_friction = one_of(random, [0.0, 0.2, 0.5]);
     Case {
-        law: Cushion {
-            model,
-            restitution: CushionRestitution {
-                a: one_of(random, [0.0, 0.05, 0.39, 0.85, 1.0, 1.4, -0.3]),
-                b: one_of(random, [0.0, 0.257]),
-                c: one_of(random, [0.0, -0.044]),
-                lowest: 0.0,
-                highest: 1.0,
-            },
-            friction: CushionFriction {
-                a: one_of(random, [0.0, 0.02, 0.14, 0.2, 0.471, 1.0]),
-                b: one_of(random, [0.0, -0.241, -0.6]),
-            },
-            frequency_ratio: random.between(1.0, 2.0),
-            tangential_factor: one_of(random, [0.0, 0.9, 1.0]),
-            spin_factor: one_of(random, [0.0, 0.1, 1.0]),
-        },
-        cloth: Cloth {
-            sliding_friction: one_of(random, [0.0, 0.2, 0.5]),
-            rolling_friction: RollingFriction::constant(0.01),
-            spin_deceleration: 10.0,
-        },
+        law,
+        cloth: Cloth { sliding_friction, ..Physics::pool().cloth },
         normal,
         on_bed,
         ball: Body { velocity, angular_velocity: spin, mass: random.between(0.09, 0.25), radius },

@@ -1,9 +1,8 @@
 //! Published rebounds from a cushion, each test named after its source.
 
+use carom::Physics;
 use carom::math::{Vec3, atan2, radians, sin_cos, sqrt};
-use carom::physics::{
-    Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution, RollingFriction,
-};
+use carom::physics::{Cloth, Cushion, CushionFriction, CushionModel, CushionRestitution};
 use carom::resolve::{Body, ball_cushion::resolve};
 
 /// Mathavan 2010: ball, nose height 7R/5, and the parameters fitted to the film.
@@ -16,17 +15,12 @@ fn law(model: CushionModel, e: f64, mu: f64) -> Cushion {
         restitution: CushionRestitution::constant(e),
         friction: CushionFriction { a: mu, b: 0.0 },
         frequency_ratio: 1.7,
-        tangential_factor: 1.0,
-        spin_factor: 1.0,
+        ..Physics::pool().cushion
     }
 }
 
 fn cloth(mu: f64) -> Cloth {
-    Cloth {
-        sliding_friction: mu,
-        rolling_friction: RollingFriction::constant(0.01),
-        spin_deceleration: 10.0,
-    }
+    Cloth { sliding_friction: mu, ..Physics::pool().cloth }
 }
 
 /// Rebound of a ball of 1 m/s by Mathavan's model: speed ratio, and angle from the rail (degrees).

@@ -102,7 +102,7 @@ fn turned(friction: f64, speed: f64) -> (f64, [f64; 4]) {
 const SPEEDS: [f64; 9] = [0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5];
 
 fn edge(friction: f64) -> Surface {
-    Surface { restitution: 0.5, friction }
+    Surface::new(0.5, friction)
 }
 
 #[test]
@@ -144,7 +144,7 @@ fn a_ball_falls_over_an_edge_in_a_bounded_number_of_hops_and_gains_no_energy() {
     for friction in [0.0, 0.2, 1.0] {
         for restitution in [0.0, 0.5, 1.0] {
             for (speed, most) in [(0.001, 900), (0.005, 200), (0.01, 120), (0.1, 60), (0.5, 20)] {
-                let fall = tip(&Surface { restitution, friction }, speed);
+                let fall = tip(&Surface::new(restitution, friction), speed);
                 assert!(fall.contacts <= most, "{speed} m/s, e {restitution}: {}", fall.contacts);
                 assert!(fall.gain < ROUNDING, "{:e}", fall.gain);
                 assert!(fall.time < 0.6, "{} s", fall.time);
@@ -202,10 +202,8 @@ fn a_ball_that_drops_on_an_edge_bounces_with_the_surfaces_restitution_and_fricti
 fn in_any_contact_energy_never_rises_the_ball_separates_and_mirrored_contacts_are_mirrored() {
     let mut random = Random(3);
     for _ in 0..100_000 {
-        let surface = Surface {
-            restitution: [0.0, 0.5, 1.0][random.pick(3)],
-            friction: [0.0, 0.2, 1.0][random.pick(3)],
-        };
+        let surface =
+            Surface::new([0.0, 0.5, 1.0][random.pick(3)], [0.0, 0.2, 1.0][random.pick(3)]);
         let (s, c) = sin_cos(random.between(0.0, core::f64::consts::TAU));
         let up = [-1.0, random.between(-1.0, 0.2)][random.pick(2)];
         let normal = Vec3::new(c, s, 0.0) * sqrt(1.0 - up * up) + Vec3::new(0.0, 0.0, up);

@@ -3,9 +3,10 @@
 use crate::near::assert_near;
 use crate::random::Random;
 use carom::Ball;
+use carom::Physics;
 use carom::ball::cloth_slip;
 use carom::math::{Vec2, Vec3, radians, sin_cos, sqrt};
-use carom::physics::{Cue, StrikeModel, Surface, Tip};
+use carom::physics::{Cue, Surface, Tip};
 use carom::resolve::Body;
 use carom::resolve::ball_slate::{LAST_HOP, bounce, last_hop_speed, settle};
 use carom::resolve::cue_ball::{self, Strike};
@@ -13,7 +14,7 @@ use carom::resolve::cue_ball::{self, Strike};
 const GRAVITY: f64 = 9.81;
 const MASS: f64 = 0.170097;
 const RADIUS: f64 = 0.028575;
-const SLATE: Surface = Surface { restitution: 0.6, friction: 0.2 };
+const SLATE: Surface = Surface::new(0.6, 0.2);
 
 fn ball(velocity: Vec3, angular_velocity: Vec3) -> Body {
     Body { velocity, angular_velocity, mass: MASS, radius: RADIUS }
@@ -32,10 +33,8 @@ fn slip(ball: &Body) -> Vec2 {
 fn falls(check: impl Fn(Surface, Body)) {
     let mut random = Random(1);
     for _ in 0..100_000 {
-        let law = Surface {
-            restitution: [0.0, 0.5, 0.6, 1.0][random.pick(4)],
-            friction: [0.0, 0.2, 0.7][random.pick(3)],
-        };
+        let law =
+            Surface::new([0.0, 0.5, 0.6, 1.0][random.pick(4)], [0.0, 0.2, 0.7][random.pick(3)]);
         let size = [1e-6, 1e-3, 0.04, 1.0, 10.0][random.pick(5)];
         let spin = [0.0, 1.0, 5.0][random.pick(3)] * size / RADIUS;
         let mut ball = ball(random.vector(size), random.vector(spin));
@@ -154,14 +153,10 @@ fn sl4_the_apexes_of_a_dropped_ball_shrink_by_the_square_of_restitution_until_th
 /// TP B.10: a draw shot by a 19 oz cue at 15 mph, half a radius low.
 fn launch(elevation: f64) -> Body {
     let cue = Cue {
-        model: StrikeModel::Sequential,
-        tip_off_centre_loss: 0.0,
         mass: MASS * 19.0 / 6.0,
-        end_mass: 0.0,
-        tip_radius: 0.0106,
         tip_friction: 0.8,
-        stroke_elevation: 0.0,
         tip: Tip::Efficiency(0.87),
+        ..Physics::ideal().cue
     };
     let strike = Strike {
         speed: 15.0 * MPH,
@@ -232,16 +227,8 @@ fn sl3_tp_b_10_a_draw_shot_with_a_cue_raised_by_15_degrees_hops_further() {
 #[test]
 fn tp_a_19_a_masse_shot_keeps_coriolis_direction_however_often_it_hops() {
     const ROUNDING: f64 = 1e-11;
-    let cue = Cue {
-        model: StrikeModel::Sequential,
-        tip_off_centre_loss: 0.0,
-        mass: 0.55,
-        end_mass: 0.0,
-        tip_radius: 0.01,
-        tip_friction: 0.8,
-        stroke_elevation: 0.0,
-        tip: Tip::Restitution(0.7),
-    };
+    let cue =
+        Cue { mass: 0.55, tip_friction: 0.8, tip: Tip::Restitution(0.7), ..Physics::ideal().cue };
     for (elevation, side, height) in [(5.0, 0.4, 0.2), (30.0, -0.3, 0.4), (70.0, 0.35, -0.2)] {
         for friction in [0.02, 0.1, 0.2] {
             let (s, c) = sin_cos(radians(elevation));
@@ -255,7 +242,7 @@ fn tp_a_19_a_masse_shot_keeps_coriolis_direction_however_often_it_hops() {
             let struck = Ball { mass: MASS, radius: RADIUS };
             let (velocity, spin) = cue_ball::resolve(&cue, &struck, &strike).expect("clean");
             let mut ball = ball(velocity, spin);
-            let law = Surface { restitution: 0.6, friction };
+            let law = Surface::new(0.6, friction);
             loop {
                 bounce(&law, &mut ball);
                 settle(&law, GRAVITY, &mut ball);

@@ -1,23 +1,21 @@
 //! The meaning of a strike's parameters (side, height, elevation and azimuth), from first
 //! principles.
 
-use carom::Ball;
+use std::sync::LazyLock;
+
 use carom::ball::cloth_slip;
 use carom::math::{Vec2, Vec3, cos, radians, sin, sqrt};
-use carom::physics::{Cue, StrikeModel, Tip};
+use carom::physics::{Cue, Tip};
 use carom::resolve::cue_ball::{Strike, resolve};
+use carom::{Ball, Physics};
 
 const BALL: Ball = Ball { mass: 0.17, radius: 0.028 };
-const CUE: Cue = Cue {
-    model: StrikeModel::Sequential,
-    tip_off_centre_loss: 0.0,
+static CUE: LazyLock<Cue> = LazyLock::new(|| Cue {
     mass: 0.55,
-    end_mass: 0.0,
-    tip_radius: 0.01,
     tip_friction: 0.8,
-    stroke_elevation: 0.0,
     tip: Tip::Restitution(0.7),
-};
+    ..Physics::ideal().cue
+});
 /// Rounding error of a few sums and products of numbers near 100.
 const ROUNDING: f64 = 1e-11;
 
@@ -99,7 +97,7 @@ fn a_level_cue_at_height_0_4_makes_the_ball_roll_at_once_and_higher_or_lower_is_
 
 #[test]
 fn squirt_is_away_from_the_english_and_swerve_towards_it() {
-    let shaft = Cue { end_mass: 0.006, ..CUE };
+    let shaft = Cue { end_mass: 0.006, ..*CUE };
     for side in [0.4, -0.4] {
         let (velocity, _) = struck(&shaft, &along_y(0.0, side, 0.0));
         assert!(velocity.x * side < 0.0, "{side}: {velocity:?}");

@@ -2,11 +2,11 @@
 //! pooltool).
 
 use crate::near::assert_near;
-use carom::Ball;
 use carom::ball::cloth_slip;
 use carom::math::{Vec2, Vec3, atan2, cos, radians, sin, sqrt};
-use carom::physics::{Cue, StrikeModel, Tip};
+use carom::physics::{Cue, Tip};
 use carom::resolve::cue_ball::{Strike, StrikeError, miscue_limit, resolve, squirt};
+use carom::{Ball, Physics};
 
 const MPH: f64 = 0.44704;
 /// Alciatore's 6 oz ball of 2¼ in and 19 oz cue.
@@ -14,16 +14,7 @@ const BALL: Ball = Ball { mass: 0.170097, radius: 0.028575 };
 const MASS_RATIO: f64 = 6.0 / 19.0;
 
 fn cue(tip: Tip) -> Cue {
-    Cue {
-        model: StrikeModel::Sequential,
-        mass: BALL.mass / MASS_RATIO,
-        end_mass: 0.0,
-        tip_radius: 0.0106,
-        tip_friction: 0.8,
-        tip,
-        tip_off_centre_loss: 0.0,
-        stroke_elevation: 0.0,
-    }
+    Cue { mass: BALL.mass / MASS_RATIO, tip_friction: 0.8, tip, ..Physics::ideal().cue }
 }
 
 fn level(speed: f64, side: f64, height: f64) -> Strike {
