@@ -67,14 +67,14 @@ pub(crate) struct Words {
 }
 
 /// What gives a coefficient at a speed (m/s) or an angle (rad).
-pub(crate) type Law = fn(&Physics, f64) -> f64;
+pub(crate) type CoefficientLaw = fn(&Physics, f64) -> f64;
 
 /// A coefficient as a formula of a speed or an angle.
 pub(crate) struct Formula {
     pub(crate) text: &'static str,
     /// What it depends on: `speed` (m/s) or `angle` (rad).
     pub(crate) argument: &'static str,
-    pub(crate) at: Law,
+    pub(crate) at: CoefficientLaw,
     /// The range of a constant coefficient.
     pub(crate) constant: Range,
     pub(crate) names: Option<Words>,
@@ -295,7 +295,7 @@ impl Quantity {
     }
 
     /// What a coefficient may depend on, and its law.
-    pub(crate) fn law(&self) -> Option<(&'static str, Law)> {
+    pub(crate) fn law(&self) -> Option<(&'static str, CoefficientLaw)> {
         match &self.shape {
             QuantityShape::Formula(formula) => Some((formula.argument, formula.at)),
             QuantityShape::Bands => Some(("speed", |p, speed| p.cloth.rolling_friction.at(speed))),

@@ -257,8 +257,13 @@ function control({ path, kind, choices }: Parameter): Control {
   return h(
     "select",
     data,
-    ...choices.map((name) => h("option", { value: name }, named("choice-of", name) ?? name)),
+    ...choices.map((name) => h("option", { value: name }, choiceLabel(name))),
   );
+}
+
+/** A choice in words; a model named after its paper has its author and year. */
+function choiceLabel(name: string): string {
+  return named("choice-of", name) ?? capital(name.replaceAll("-", " "));
 }
 
 /** The value for the file; null if the text is not a number. */

@@ -97,10 +97,6 @@ export const texts: Translation<typeof en.physics> = {
   "choice-of.compliant": "nachgiebig",
   "choice-of.restitution": "Stoßzahl",
   "choice-of.factors": "Faktoren",
-  "choice-of.stronge": "Stronge",
-  "choice-of.han-2005": "Han 2005",
-  "choice-of.mathavan-2010": "Mathavan 2010",
-  "choice-of.mathavan-2014": "Mathavan 2014",
 
   "hint.physics.gravity": "Fallbeschleunigung.",
   "hint.physics.cloth.sliding_friction": "Beiwert der Gleitreibung.",

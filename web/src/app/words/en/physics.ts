@@ -95,10 +95,6 @@ export const texts = {
   "choice-of.compliant": "compliant",
   "choice-of.restitution": "restitution",
   "choice-of.factors": "factors",
-  "choice-of.stronge": "Stronge",
-  "choice-of.han-2005": "Han 2005",
-  "choice-of.mathavan-2010": "Mathavan 2010",
-  "choice-of.mathavan-2014": "Mathavan 2014",
 
   "hint.physics.gravity": "Gravitational acceleration.",
   "hint.physics.cloth.sliding_friction": "Coefficient of sliding friction.",

@@ -95,10 +95,6 @@ export const texts: Translation<typeof en.physics> = {
   "choice-of.compliant": "柔性",
   "choice-of.restitution": "恢复系数",
   "choice-of.factors": "系数",
-  "choice-of.stronge": "Stronge",
-  "choice-of.han-2005": "Han 2005",
-  "choice-of.mathavan-2010": "Mathavan 2010",
-  "choice-of.mathavan-2014": "Mathavan 2014",
 
   "hint.physics.gravity": "重力加速度。",
   "hint.physics.cloth.sliding_friction": "滑动摩擦系数。",
