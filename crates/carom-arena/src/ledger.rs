@@ -87,9 +87,9 @@ impl Ledger {
         // record may have been written while this one waited to open the file.
         let played = if record.exists() { None } else { Some(open_locked(&folder.join(PLAYED))?) };
         let state = match played {
-            Some(opened) if !record.exists() => {
+            Some((file, hold)) if !record.exists() => {
                 write_new(&folder.join(SECRET), &format!("{}\n", secret.to_hex()))?;
-                begin_or_continue(opened, &folder.join(PLAYED), &header)?
+                begin_or_continue(file, hold, &folder.join(PLAYED), &header)?
             }
             _ => {
                 let points = finished_points(folder, &header)?;
@@ -250,7 +250,8 @@ fn open_locked(path: &Path) -> Result<(File, Hold), ArenaError> {
 
 /// Reads `played.jsonl`, or begins it with the header.
 fn begin_or_continue(
-    (mut file, hold): (File, Hold),
+    mut file: File,
+    hold: Hold,
     path: &Path,
     header: &str,
 ) -> Result<LedgerState, ArenaError> {

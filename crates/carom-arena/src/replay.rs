@@ -90,7 +90,7 @@ pub fn replay(text: &str, runner: &Runner, progress: &Progress) -> Result<Replay
                 return Err(Error::input("progress", "the replay was stopped", remedy));
             }
             let (node, line) = (read_line(line, index + 2)?, index + 2);
-            let again = play_again(header, secret, (index, &node), (simulator, &mut |_| ()));
+            let again = play_again(header, secret, index, &node, simulator, &mut |_| ());
             let again = again.map_err(|error| at_line(error, line))?;
             let again = frame_line(&again);
             progress.add(1);
@@ -127,7 +127,7 @@ pub fn positions<T: Send>(
             let mut seen = Vec::new();
             let mut visit = |ask: &Ask<'_>| seen.push(see(ask));
             let played =
-                play_again(&record.header, &record.secret, (index, &node), (simulator, &mut visit));
+                play_again(&record.header, &record.secret, index, &node, simulator, &mut visit);
             let frame = played.map_err(|error| at_line(error, number))?;
             let end = frame.end().cloned().ok_or_else(|| at_line(incomplete(), number))?;
             Ok((seen, end))
@@ -147,8 +147,10 @@ fn incomplete() -> Error {
 fn play_again(
     header: &MatchHeader,
     secret: &Secret,
-    (index, node): (u64, &Node),
-    (simulator, visit): (&mut FrameSimulator, &mut dyn FnMut(&Ask<'_>)),
+    index: u64,
+    node: &Node,
+    simulator: &mut FrameSimulator,
+    visit: &mut dyn FnMut(&Ask<'_>),
 ) -> Result<ArenaFrame, Error> {
     let number = frame_number(node)?;
     if number != index {

@@ -114,7 +114,7 @@ where
     let next = AtomicU64::new(0);
     runner.map(0..runner.threads(), FrameSimulator::new, |simulator, _| {
         while let Some(pair) = next_pair(plan, &board, &next, progress) {
-            let played = play_pair(plan, &secret, pair, make_player, (simulator, progress));
+            let played = play_pair(plan, &secret, pair, make_player, simulator, progress);
             locked(&board).add(plan, pair, played, progress);
         }
     });
@@ -170,7 +170,8 @@ fn play_pair<F>(
     secret: &Secret,
     pair: u64,
     make_player: &F,
-    (simulator, progress): (&mut FrameSimulator, &Progress),
+    simulator: &mut FrameSimulator,
+    progress: &Progress,
 ) -> Result<Option<Pair>, Error>
 where
     F: Fn(PlayerIndex) -> Result<Box<dyn Player>, Error> + Sync,

@@ -73,7 +73,7 @@ pub(crate) fn strike(
     // The default elevation is the least: a player does not strike through the rail.
     let least = episode.default_elevation(turn.cue, from, &intended);
     intended.elevation = intended.elevation.max(least);
-    Some(with_noise(config, episode, turn, (cue_ball, intended), draw))
+    Some(with_noise(config, episode, turn, cue_ball, intended, draw))
 }
 
 /// The azimuth (rad) that hits the target ball at `across`: from its right edge (−1) to its left
@@ -94,7 +94,8 @@ pub(crate) fn with_noise(
     config: &Config,
     episode: &dyn Episode,
     turn: &Turn,
-    (cue_ball, intended): (Option<[f64; 2]>, Strike),
+    cue_ball: Option<[f64; 2]>,
+    intended: Strike,
     draw: StrikeDraw,
 ) -> NoisyStrike {
     let noise = config.noise_of(draw.is_agent);

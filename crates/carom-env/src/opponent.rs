@@ -39,8 +39,8 @@ pub(crate) fn strike(
 ) -> Option<NoisyStrike> {
     let mut dice = Dice::of_opponent(draw.seed, draw.index);
     if config.opponent == Opponent::Potter {
-        let intended = potter(config, episode, turn, &mut dice)?;
-        return Some(action::with_noise(config, episode, turn, intended, draw));
+        let (cue_ball, intended) = potter(config, episode, turn, &mut dice)?;
+        return Some(action::with_noise(config, episode, turn, cue_ball, intended, draw));
     }
     let action = ACTIONS.map(|_| dice.between(-1.0, 1.0) as f32);
     action::strike(config, episode, turn, &action, draw)
@@ -54,8 +54,8 @@ pub(crate) fn strike_of_play(
     play: &Play,
     draw: StrikeDraw,
 ) -> Option<NoisyStrike> {
-    let intended = (play.cue_ball, play.strike);
-    let noisy = action::with_noise(config, episode, episode.turn()?, intended, draw);
+    let turn = episode.turn()?;
+    let noisy = action::with_noise(config, episode, turn, play.cue_ball, play.strike, draw);
     Some(NoisyStrike { call: Some(play.call), ..noisy })
 }
 

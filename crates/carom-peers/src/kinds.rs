@@ -268,7 +268,7 @@ fn table_impacts(harvest: &Harvest) -> Vec<Kind> {
     kinds.push(Kind::over(
         "impact: ball and slate",
         "lying ball after another impact",
-        harvest.bounces.iter().zip(0..).map(lying).collect(),
+        harvest.bounces.iter().zip(0..).map(|(ball, k)| lying(ball, k)).collect(),
         move |b| {
             let mut ball = *black_box(b);
             ball_slate::settle(black_box(&slate), black_box(gravity), &mut ball);
@@ -290,7 +290,7 @@ fn table_impacts(harvest: &Harvest) -> Vec<Kind> {
 
 /// A ball on the slate that an impact has just driven down or lifted: some bounce, some hop, most
 /// stay down.
-fn lying((ball, k): (&Body, usize)) -> Body {
+fn lying(ball: &Body, k: usize) -> Body {
     let up = 0.01 * (k % 12) as f64 - 0.08;
     Body { velocity: Vec3::new(ball.velocity.x, ball.velocity.y, up), ..*ball }
 }

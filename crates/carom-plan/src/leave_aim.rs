@@ -56,9 +56,11 @@ pub struct LeaveAim {
 /// out of range.
 pub fn leave_aim(
     shot: &Shot,
-    (ball, pocket): (usize, usize),
+    ball: usize,
+    pocket: usize,
     place: [f64; 2],
-    (speed, offset): ([f64; 2], f64),
+    speed: [f64; 2],
+    offset: f64,
     model: &ErrorModel,
 ) -> Result<Option<LeaveAim>, Error> {
     let pot = Goal { pot: Some((ball, Some(pocket))), ..Goal::default() };
@@ -68,7 +70,7 @@ pub fn leave_aim(
     check(speed, offset)?;
     let offset = offset.min(0.95 * shot.miscue_limit());
     let mut potting = GoalTester::new(shot, pot);
-    let azimuth = line(&mut potting, (ball, pocket));
+    let azimuth = line(&mut potting, ball, pocket);
     let away = |end: [f64; 2]| {
         let [x, y] = [end[0] - place[0], end[1] - place[1]];
         carom::math::sqrt(x * x + y * y)
@@ -120,7 +122,7 @@ impl LeaveAim {
 }
 
 /// The azimuth of the shot's own strike if its ball almost falls, or else the straight line, rad.
-fn line(tester: &mut GoalTester<'_>, (ball, pocket): (usize, usize)) -> f64 {
+fn line(tester: &mut GoalTester<'_>, ball: usize, pocket: usize) -> f64 {
     let own = tester.shot().strike().map(|(_, strike)| strike);
     let near = own.filter(|own| tester.play(own).is_some_and(|attempt| attempt.miss < NEAR));
     near.map_or_else(|| straight(tester.shot(), ball, pocket), |own| own.azimuth)

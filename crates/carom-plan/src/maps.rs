@@ -39,7 +39,8 @@ pub struct PotMap {
 /// cushions, and for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) cells.
 pub fn pot_map(
     shot: &Shot,
-    (ball, pocket): (usize, usize),
+    ball: usize,
+    pocket: usize,
     cells: [usize; 2],
     model: &ErrorModel,
     threads: Option<usize>,
@@ -60,7 +61,7 @@ pub fn pot_map(
         |(), cell| {
             let (row, column) = (cell / columns, cell % columns);
             let place = [center_of(column, columns, size.x), center_of(row, rows, size.y)];
-            pot_from(shot, place, &goal, (ball, pocket), model, progress)
+            pot_from(shot, place, &goal, ball, pocket, model, progress)
         },
     )?;
     let known =
@@ -74,7 +75,8 @@ fn pot_from(
     shot: &Shot,
     [x, y]: [f64; 2],
     goal: &Goal,
-    (ball, pocket): (usize, usize),
+    ball: usize,
+    pocket: usize,
     model: &ErrorModel,
     progress: &Progress,
 ) -> Option<(Chance, f64)> {
@@ -110,7 +112,8 @@ pub struct PositionMap {
 /// the ball, and for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) cells.
 pub fn position_map(
     shot: &Shot,
-    (ball, pocket): (usize, usize),
+    ball: usize,
+    pocket: usize,
     speeds: &[f64],
     spins: &[[f64; 2]],
     threads: Option<usize>,

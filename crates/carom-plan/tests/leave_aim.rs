@@ -4,7 +4,8 @@ use carom::math::Vec2;
 use carom::{Shot, Simulator};
 use carom_plan::{ErrorModel, LeaveAim, leave_aim};
 
-const RANGE: ([f64; 2], f64) = ([0.5, 6.0], 0.45);
+const SPEEDS: [f64; 2] = [0.5, 6.0];
+const OFFSET: f64 = 0.45;
 
 /// A half-ball cut of ball 1 into the top right pocket.
 fn shot() -> Shot {
@@ -22,7 +23,7 @@ fn top_right(shot: &Shot) -> usize {
 
 fn aim(shot: &Shot, place: [f64; 2]) -> Option<LeaveAim> {
     let model = ErrorModel { variants: 64, ..ErrorModel::default() };
-    leave_aim(shot, (1, top_right(shot)), place, RANGE, &model).expect("a goal")
+    leave_aim(shot, 1, top_right(shot), place, SPEEDS, OFFSET, &model).expect("a goal")
 }
 
 /// What an exact strike does: the pocket of ball 1, and where the cue ball stops.
@@ -54,8 +55,8 @@ fn a_place_out_of_reach_gives_the_nearest_stop_and_keeps_the_pot() {
     // Behind the cue ball in the kitchen's corner, beyond the draw of a half-ball cut at 1 m/s.
     let shot = shot();
     let model = ErrorModel { variants: 16, ..ErrorModel::default() };
-    let slow = ([0.9, 1.1], 0.45);
-    let aim = leave_aim(&shot, (1, top_right(&shot)), [0.1, 0.1], slow, &model).expect("a goal");
+    let aim = leave_aim(&shot, 1, top_right(&shot), [0.1, 0.1], [0.9, 1.1], OFFSET, &model)
+        .expect("a goal");
     let aim = aim.expect("a pot");
     assert!(!aim.is_reached && aim.distance > 0.3, "{}", aim.distance);
     assert_eq!(played(&shot, &aim).0.as_deref(), Some("top-right"));
@@ -64,6 +65,6 @@ fn a_place_out_of_reach_gives_the_nearest_stop_and_keeps_the_pot() {
 #[test]
 fn a_range_of_speeds_without_width_is_refused_with_a_remedy() {
     let shot = shot();
-    let error = leave_aim(&shot, (1, 0), [0.5, 0.5], ([2.0, 2.0], 0.4), &ErrorModel::default());
+    let error = leave_aim(&shot, 1, 0, [0.5, 0.5], [2.0, 2.0], 0.4, &ErrorModel::default());
     assert!(error.expect_err("an error").to_string().contains("give 0 < least < most <= 50"));
 }

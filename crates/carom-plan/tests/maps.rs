@@ -18,8 +18,8 @@ fn cut() -> Shot {
 #[test]
 fn a_pot_is_likely_from_behind_the_ball_and_impossible_from_its_far_side() {
     let model = ErrorModel { seed: 1, variants: 60, ..ErrorModel::default() };
-    let map = pot_map(&cut(), (1, TOP_RIGHT), [6, 12], &model, None, &Progress::default())
-        .expect("a map");
+    let map =
+        pot_map(&cut(), 1, TOP_RIGHT, [6, 12], &model, None, &Progress::default()).expect("a map");
     let at = |x: f64, y: f64| {
         let (column, row) = ((x / 1.27 * 6.0) as usize, (y / 2.54 * 12.0) as usize);
         map.chance[row * 6 + column].share()
@@ -34,7 +34,7 @@ fn a_pot_is_likely_from_behind_the_ball_and_impossible_from_its_far_side() {
 fn nearly_certain_cells_need_fewer_variants() {
     let model = ErrorModel { variants: 4000, half_width: Some(0.04), ..ErrorModel::default() };
     let map =
-        pot_map(&cut(), (1, TOP_RIGHT), [3, 6], &model, None, &Progress::default()).expect("a map");
+        pot_map(&cut(), 1, TOP_RIGHT, [3, 6], &model, None, &Progress::default()).expect("a map");
     let mut spent = Vec::new();
     for chance in map.chance.iter().filter(|c| c.variants > 0) {
         assert!(chance.interval(0.95).half_width() <= 0.04, "{chance:?}");
@@ -48,7 +48,7 @@ fn nearly_certain_cells_need_fewer_variants() {
 fn every_position_of_the_map_is_the_end_of_the_shot() {
     let shot = cut();
     let (speeds, spins) = ([1.5, 3.0], [[0.0, -0.3], [0.0, 0.0], [0.2, 0.3]]);
-    let map = position_map(&shot, (1, TOP_RIGHT), &speeds, &spins, None, &Progress::default())
+    let map = position_map(&shot, 1, TOP_RIGHT, &speeds, &spins, None, &Progress::default())
         .expect("a map");
     assert_eq!(map.met.len(), 6);
     for (cell, met) in map.met.iter().enumerate() {
@@ -164,7 +164,7 @@ fn message<T: core::fmt::Debug>(found: Result<T, carom::Error>) -> String {
 #[test]
 fn a_position_map_of_a_billion_cells_is_rejected_before_it_is_allocated() {
     let (speeds, spins) = (vec![1.0; 10_000], vec![[0.0, 0.0]; 100_000]);
-    let asked = position_map(&cut(), (1, TOP_RIGHT), &speeds, &spins, None, &Progress::default());
+    let asked = position_map(&cut(), 1, TOP_RIGHT, &speeds, &spins, None, &Progress::default());
     assert_eq!(
         message(asked),
         "speed, spin: 10000 × 100000 are too many cells; give at most 10000000 in all"
@@ -174,7 +174,7 @@ fn a_position_map_of_a_billion_cells_is_rejected_before_it_is_allocated() {
 #[test]
 fn speeds_and_offsets_out_of_range_are_rejected() {
     let ask = |speed, spin| {
-        position_map(&cut(), (1, TOP_RIGHT), &[speed], &[spin], None, &Progress::default())
+        position_map(&cut(), 1, TOP_RIGHT, &[speed], &[spin], None, &Progress::default())
     };
     for speed in [-1.0, 0.0, 1e300, f64::NAN, f64::INFINITY] {
         assert!(message(ask(speed, [0.0, 0.0])).starts_with("speed: "), "{speed}");
@@ -211,6 +211,6 @@ fn a_stopped_map_leaves_the_rest_empty() {
     let progress = Progress::default();
     progress.stop();
     let model = ErrorModel::default();
-    let map = pot_map(&cut(), (1, TOP_RIGHT), [3, 6], &model, None, &progress).expect("a map");
+    let map = pot_map(&cut(), 1, TOP_RIGHT, [3, 6], &model, None, &progress).expect("a map");
     assert!(map.chance.iter().all(|c| c.variants == 0) && map.chance.len() == 18);
 }

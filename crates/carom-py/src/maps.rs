@@ -39,7 +39,7 @@ pub(crate) fn pot_map<'py>(
     let shot = shot.0.clone();
     let model = sampling.model();
     let map = progress::run(py, &report, |progress| {
-        maps::pot_map(&shot, target, cells, &model, count(threads), progress)
+        maps::pot_map(&shot, target.0, target.1, cells, &model, count(threads), progress)
     })?;
     let shape = [cells[1], cells[0]];
     let grid = |values| PyArray1::from_vec(py, values).reshape(shape);
@@ -75,7 +75,7 @@ pub(crate) fn position_map<'py>(
 ) -> PyResult<Positions<'py>> {
     let shot = shot.0.clone();
     let map = progress::run(py, &report, |progress| {
-        maps::position_map(&shot, target, &speeds, &spins, count(threads), progress)
+        maps::position_map(&shot, target.0, target.1, &speeds, &spins, count(threads), progress)
     })?;
     let (rows, columns) = (speeds.len(), spins.len());
     Ok((

@@ -48,7 +48,7 @@ impl Shot {
         };
         let noise = noise_of(noise)?;
         let model = ErrorModel { noise, variants: variants.into(), ..ErrorModel::default() };
-        leave_aim(&self.0, (ball, pocket), [x, y], ([least, most], offset), &model)
+        leave_aim(&self.0, ball, pocket, [x, y], [least, most], offset, &model)
             .map(|found| found.map(LeaveAim))
             .map_err(|e| to_exception(&e))
     }

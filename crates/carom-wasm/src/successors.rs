@@ -71,7 +71,7 @@ impl Frame {
         first: u64,
     ) -> Result<Successors, JsValue> {
         let noise = noise_of(noise)?;
-        self.sample(play, noise, n, (seed, first)).map_err(|e| to_exception(&e))
+        self.sample(play, noise, n, seed, first).map_err(|e| to_exception(&e))
     }
 }
 
@@ -81,7 +81,8 @@ impl Frame {
         play: &PlayArguments,
         noise: Noise,
         n: usize,
-        (seed, first): (u64, u64),
+        seed: u64,
+        first: u64,
     ) -> Result<Successors, Error> {
         let play = self.play_of(play)?;
         let errors = Errors { noise, seed, ..Errors::default() };

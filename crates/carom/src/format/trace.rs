@@ -115,7 +115,7 @@ impl Trace {
         let at = fields.require("final", "a list of balls")?;
         let last = read_final(&at, &shot)?;
         let end = read_end(&fields, &shot, &last)?;
-        let trace = Self::assemble(shot, engine, (duration, end), log, last);
+        let trace = Self::assemble(shot, engine, duration, end, log, last);
         check_hash(&fields, &trace)?;
         Ok((trace, file))
     }

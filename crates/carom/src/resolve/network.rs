@@ -236,7 +236,7 @@ impl NetworkImpact<'_> {
         let impact = NetworkImpact { touches, walls, ..*self };
         let units = Units::of(&impact, bodies)?;
         if let (Some(tip), [], [wall], [body]) = (self.tip, touches, walls, &mut *bodies) {
-            return Some(alone::resolve((&tip, wall), body, &units, stepping));
+            return Some(alone::resolve(&tip, wall, body, &units, stepping));
         }
         let mut cue = self.tip.map(|tip| Cue::new(&tip, bodies, &units));
         let mut balls = [Ball::default(); BALL_SLOTS];

@@ -89,7 +89,7 @@ pub fn repair(
     let mut places = start.clone();
     let mut left = Some(deepest);
     for _ in 0..ROUNDS {
-        let mut contacts = contacts(balls, table, (&start, &places), near);
+        let mut contacts = contacts(balls, table, &start, &places, near);
         push(&mut contacts, &start, &mut places);
         left = self::deepest(balls, table, &places, EXACT);
         if left.is_none() {
@@ -100,7 +100,8 @@ pub fn repair(
         return Err(refusal(
             balls,
             table,
-            (ball, limit),
+            ball,
+            limit,
             format!("overlaps {{}} by {depth:.3e} m and has no room to move away"),
             "take a ball out, or measure the positions again",
         ));
@@ -188,14 +189,15 @@ fn refuse_deeper(
     };
     let what =
         format!("overlaps {{}} by {depth:.3e} m, more than the tolerance of {tolerance:e} m");
-    Err(refusal(balls, table, (ball, limit), what, "move them apart, or raise the tolerance"))
+    Err(refusal(balls, table, ball, limit, what, "move them apart, or raise the tolerance"))
 }
 
 /// `what` has `{}` for what is overlapped.
 fn refusal(
     balls: &[PlacedBall],
     table: &Table,
-    (ball, limit): (usize, Limit),
+    ball: usize,
+    limit: Limit,
     what: String,
     remedy: &str,
 ) -> Error {
@@ -218,7 +220,8 @@ fn refusal(
 fn contacts(
     balls: &[PlacedBall],
     table: &Table,
-    (start, places): (&[Vec2], &[Vec2]),
+    start: &[Vec2],
+    places: &[Vec2],
     near: f64,
 ) -> Vec<Contact> {
     let of = |(ball, limit, away, depth): (usize, Limit, Vec2, f64)| {

@@ -109,7 +109,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         }
         let mut possible = PossiblePartners::NONE;
         if F::PROOFS {
-            possible.search(&self.lanes, (i, self.valid_until(i)), self.n, time, self.wide);
+            possible.search(&self.lanes, i, self.valid_until(i), self.n, time, self.wide);
         } else {
             possible.take_all(&self.lanes, self.n);
         }

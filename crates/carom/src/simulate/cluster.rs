@@ -219,7 +219,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             return false;
         }
         let all = |_: usize, _: usize, proximity: &Proximity| together(proximity);
-        self.resolve_cluster(&mut cluster, reach, all, (&[], None), step.physics);
+        self.resolve_cluster(&mut cluster, reach, all, &[], None, step.physics);
         cluster.keep_struck([a as u16, b as u16]);
         if cluster.size <= 2 {
             return false;
@@ -261,7 +261,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let mut cluster = Cluster::of(struck as u16, self.state(struck, time));
         let is_met = |p: &Proximity| p.gap <= pushed && velocity.dot(p.normal) > 0.0;
         let mut free = self.free_discs(&cluster, time);
-        self.gather_around(&mut cluster, 0, &mut free, (time, reach), is_met);
+        self.gather_around(&mut cluster, 0, &mut free, time, reach, is_met);
         if cluster.size == 1 && !is_pressed {
             return Ok(false);
         }
@@ -276,8 +276,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             let widest = if [p, q].contains(&usize::from(own)) { pushed } else { closing };
             proximity.gap <= widest
         };
-        let report =
-            self.resolve_cluster(&mut cluster, reach, together, (walls, Some(tip)), physics);
+        let report = self.resolve_cluster(&mut cluster, reach, together, walls, Some(tip), physics);
         cluster.keep_struck([struck as u16; 2]);
         cluster.put_first(struck as u16);
         self.begin_paths(&cluster, step);
@@ -334,7 +333,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let mut free = self.free_discs(cluster, time);
         let mut visited = 0;
         while visited < cluster.size {
-            self.gather_around(cluster, visited, &mut free, (time, reach), &together);
+            self.gather_around(cluster, visited, &mut free, time, reach, &together);
             visited += 1;
         }
         let size = cluster.size;
@@ -365,7 +364,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         cluster: &mut Cluster,
         place: usize,
         free: &mut [[f64; 3]; N],
-        (time, reach): (f64, f64),
+        time: f64,
+        reach: f64,
         together: impl Fn(&Proximity) -> bool,
     ) {
         let near = clearance(self.disc(usize::from(cluster.balls[place]), time), reach);
@@ -389,7 +389,8 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         cluster: &mut Cluster,
         reach: f64,
         together: impl Fn(usize, usize, &Proximity) -> bool,
-        (walls, tip): (&[WallTouch], Option<TipTouch>),
+        walls: &[WallTouch],
+        tip: Option<TipTouch>,
         physics: &Physics,
     ) -> TipReport {
         let size = cluster.size;

@@ -177,7 +177,7 @@ impl<const K: usize> Encounter<'_, K> {
         if approach >= least {
             return self.separated(&after, 2.0 * rounding - separation);
         }
-        self.pressed(after, separation, (least, rounding), raised)
+        self.pressed(after, separation, least, rounding, raised)
     }
 
     #[inline(always)]
@@ -205,7 +205,8 @@ impl<const K: usize> Encounter<'_, K> {
         &self,
         after: [BallState; K],
         separation: f64,
-        (least, rounding): (f64, f64),
+        least: f64,
+        rounding: f64,
         raised: impl Fn(f64) -> [BallState; K],
     ) -> [BallState; K] {
         let approach = -self.separation(self.before);

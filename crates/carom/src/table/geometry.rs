@@ -173,7 +173,7 @@ impl Table {
             [backs[0].of_opening(PocketKind::Corner), backs[1].of_opening(PocketKind::Side)],
         ));
         let corner_jaws = [&at_bottom, &at_left];
-        self.add_pockets(model, (corner, corner_jaws), (side, &at_side), backs, in_mouth);
+        self.add_pockets(model, [corner, side], corner_jaws, &at_side, backs, in_mouth);
         self.layout.clear_reach = clear_reach(model, corner, side, &at_bottom);
         check::holes(&self.pockets)?;
         check::rails(self.layout.border, half, &self.pockets)
@@ -301,8 +301,9 @@ impl Table {
     fn add_pockets(
         &mut self,
         model: PocketModel,
-        (corner, [bottom_jaw, left_jaw]): (&PocketDescription, [&Jaw; 2]),
-        (side, side_jaw): (&PocketDescription, &Jaw),
+        [corner, side]: [&PocketDescription; 2],
+        [bottom_jaw, left_jaw]: [&Jaw; 2],
+        side_jaw: &Jaw,
         backs: [PocketBack; 2],
         in_mouth: [Vec<u16>; 6],
     ) {

@@ -108,11 +108,12 @@ impl Openings {
     /// Whether `p`, in the quadrant and behind a nose line, is in the opening of the corner pocket,
     /// and whether it is in that of the side pocket, which begins behind the long rail.
     pub(super) fn contain(&self, p: Vec2) -> [bool; 2] {
-        fn within<const N: usize>((jaws, back): &([JawLine; N], Back), p: Vec2) -> bool {
+        let within = |jaws: &[JawLine], back: &Back| {
             jaws.iter().all(|jaw| jaw.is_behind(p)) && back.is_behind(p)
-        }
+        };
         let behind_long_rail = self.side.0[0].depth(p) > 0.0;
-        [within(&self.corner, p), behind_long_rail && within(&self.side, p)]
+        let ((corner, corner_back), (side, side_back)) = (&self.corner, &self.side);
+        [within(corner, corner_back), behind_long_rail && within(side, side_back)]
     }
 }
 

@@ -56,7 +56,7 @@ impl Trace {
             TraceEventKind::BallCollision => points_of_balls(&self.shot, event, CLOSING_TIME),
             TraceEventKind::RailCollision { rail, part } => {
                 let point = |table: &Table, state: &BallState, radius| {
-                    on_cushion(table, (rail, part), state.position, radius)
+                    on_cushion(table, rail, part, state.position, radius)
                 };
                 vec![on_table(&self.shot, event, point)]
             }
@@ -107,10 +107,10 @@ fn on_table(
 
 /// The point on the part of the cushions with these names that a ball touches with its centre at
 /// `position`. A rail has several facings, points and liners.
-fn on_cushion(table: &Table, named: (Rail, Part), position: Vec3, radius: f64) -> Vec3 {
+fn on_cushion(table: &Table, rail: Rail, part: Part, position: Vec3, radius: f64) -> Vec3 {
     let gap = |shape: &Shape| (distance(table, shape, position, radius) - radius).abs();
     let parts = (0u16..).zip(&table.cushions);
-    let parts = parts.filter(|(_, cushion)| (cushion.rail, cushion.part) == named);
+    let parts = parts.filter(|(_, cushion)| (cushion.rail, cushion.part) == (rail, part));
     let nearest = parts.min_by(|(_, a), (_, b)| gap(&a.shape).total_cmp(&gap(&b.shape)));
     let Some((part, _)) = nearest else { return position };
     let normal = table.contact_normal(TableFeature::Cushion(part), position, radius);

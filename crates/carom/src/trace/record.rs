@@ -47,7 +47,7 @@ impl<'a> TraceRecorder<'a> {
         let to_file = |(i, s): (usize, &BallState)| self.shot.to_file_frame(i, s);
         let last = last.iter().enumerate().map(to_file).collect();
         let engine = String::from(ENGINE);
-        Trace::assemble(self.shot.clone(), engine, (duration, end), self.log, last)
+        Trace::assemble(self.shot.clone(), engine, duration, end, self.log, last)
     }
 }
 
@@ -55,7 +55,8 @@ impl Trace {
     pub(crate) fn assemble(
         shot: Shot,
         engine: String,
-        (duration, end): (f64, TraceEnd),
+        duration: f64,
+        end: TraceEnd,
         log: Log,
         last: Vec<BallState>,
     ) -> Self {

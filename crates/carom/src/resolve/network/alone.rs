@@ -17,7 +17,8 @@ use crate::resolve::Body;
 
 /// Resolves the impact of the tip on the ball that touches the wall.
 pub(super) fn resolve(
-    (tip, wall): (&TipTouch, &WallTouch),
+    tip: &TipTouch,
+    wall: &WallTouch,
     body: &mut Body,
     units: &Units,
     stepping: &Stepping,
@@ -26,7 +27,7 @@ pub(super) fn resolve(
     ball.begin(body, units);
     let mut cue = Cue::new(tip, core::slice::from_ref(body), units);
     let mut contact = Contact::new(wall, body, units);
-    integrate(&mut ball, &mut cue, &mut contact, (units, stepping));
+    integrate(&mut ball, &mut cue, &mut contact, units, stepping);
     let ((work, cost), (lost, gained)) = (ball.work_and_cost(Vec3::ZERO), cue.work_and_cost());
     let (work, cost) = (work + lost, cost + gained);
     let share = if cost > work { (work / cost).clamp(0.0, 2.0) } else { 1.0 };
@@ -60,7 +61,8 @@ fn integrate(
     ball: &mut Ball,
     cue: &mut Cue,
     contact: &mut Contact,
-    (units, stepping): (&Units, &Stepping),
+    units: &Units,
+    stepping: &Stepping,
 ) {
     let fastest = larger(contact.springs.square_speed(), cue.spring.square_speed());
     let mut step = TimeStep::first(units, stepping, fastest);
@@ -71,13 +73,12 @@ fn integrate(
     for _ in 0..most {
         let mut greatest_square = 0.0;
         let approach = ball.velocity.dot(contact.normal);
-        let steps = (&step, stepping);
-        let now = contact.springs.advance([approach], drift, steps, &mut greatest_square);
+        let now = contact.springs.advance([approach], drift, &step, stepping, &mut greatest_square);
         let steady = is_loaded;
         is_loaded = false;
         let (mut push, mut turn) = (Vec3::ZERO, Vec3::ZERO);
         if now.loaded() != 0 {
-            let normal = contact.springs.impulse((0, steady), &now, &step, &mut greatest_square);
+            let normal = contact.springs.impulse(0, steady, &now, &step, &mut greatest_square);
             if normal != 0.0 {
                 is_loaded = true;
                 (push, turn) = contact.grip.impulse(&GripStep {
@@ -93,8 +94,8 @@ fn integrate(
                 });
             }
         }
-        let motion = (ball.velocity, ball.surface);
-        let tip = cue.impulse(motion, drift, steps, &mut greatest_square);
+        let (velocity, surface) = (ball.velocity, ball.surface);
+        let tip = cue.impulse(velocity, surface, drift, &step, stepping, &mut greatest_square);
         ball.push += cue.launch * tip - push;
         ball.turn += turn - cue.twist * tip;
         let last = step.length;

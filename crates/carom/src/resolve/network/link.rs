@@ -73,7 +73,8 @@ impl Block {
         lane: usize,
         touch: &Touch,
         law: &BallBall,
-        (bodies, units): (&[Body], &Units),
+        bodies: &[Body],
+        units: &Units,
     ) -> Link {
         let (a, b) = touch.bodies(bodies);
         let n = touch.normal;

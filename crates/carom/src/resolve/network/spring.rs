@@ -153,7 +153,8 @@ impl<const L: usize> NormalSprings<L> {
         &mut self,
         approach: [f64; L],
         drift: f64,
-        (step, stepping): (&TimeStep, &Stepping),
+        step: &TimeStep,
+        stepping: &Stepping,
         greatest_square: &mut f64,
     ) -> Compression<L> {
         let (length, trend) = (step.length, stepping.trend);
@@ -190,7 +191,8 @@ impl<const L: usize> NormalSprings<L> {
     #[inline(always)]
     pub(super) fn impulse(
         &mut self,
-        (k, steady): (usize, bool),
+        k: usize,
+        steady: bool,
         now: &Compression<L>,
         step: &TimeStep,
         greatest_square: &mut f64,

@@ -96,16 +96,18 @@ impl Cue {
     #[inline(always)]
     pub(super) fn impulse(
         &mut self,
-        (velocity, surface): (Vec3, Vec3),
+        velocity: Vec3,
+        surface: Vec3,
         drift: f64,
-        (step, stepping): (&TimeStep, &Stepping),
+        step: &TimeStep,
+        stepping: &Stepping,
         greatest_square: &mut f64,
     ) -> f64 {
         let away = velocity.dot(self.launch) + surface.dot(self.twist);
         let approach = self.velocity - away;
-        let now = self.spring.advance([approach], drift, (step, stepping), greatest_square);
+        let now = self.spring.advance([approach], drift, step, stepping, greatest_square);
         let impulse = if now.loaded() != 0 {
-            self.spring.impulse((0, self.presses), &now, step, greatest_square)
+            self.spring.impulse(0, self.presses, &now, step, greatest_square)
         } else {
             0.0
         };

@@ -68,7 +68,7 @@ impl<'a> Network<'a> {
         }
         let count = touches.len() + walls.len();
         for (k, touch) in touches.iter().enumerate() {
-            links[k] = blocks[k / LANES].join(k % LANES, touch, law, (bodies, units));
+            links[k] = blocks[k / LANES].join(k % LANES, touch, law, bodies, units);
         }
         for (k, wall) in (touches.len()..).zip(walls) {
             links[k] = blocks[k / LANES].join_wall(k % LANES, wall, bodies, units);
@@ -139,13 +139,13 @@ impl<'a> Network<'a> {
                 let velocity = block.velocity(&self.velocities);
                 let approach = block.approach(&velocity);
                 let now =
-                    block.springs.advance(approach, drift, (&step, stepping), &mut greatest_square);
+                    block.springs.advance(approach, drift, &step, stepping, &mut greatest_square);
                 for lane in Bits(now.loaded()) {
                     let Some(link) = self.links.get_mut(first + lane) else { break };
                     let lane = lane % LANES;
                     let steady = last_loaded >> (first + lane) & 1 != 0;
                     let normal =
-                        block.springs.impulse((lane, steady), &now, &step, &mut greatest_square);
+                        block.springs.impulse(lane, steady, &now, &step, &mut greatest_square);
                     if normal == 0.0 {
                         continue;
                     }
@@ -179,8 +179,9 @@ impl<'a> Network<'a> {
                         && self.blocks[k / LANES].springs.at(k % LANES).has_touched
                 };
                 let ball = &mut self.balls[cue.ball % BALL_SLOTS];
-                let motion = (ball.velocity, ball.surface);
-                let impulse = cue.impulse(motion, drift, (&step, stepping), &mut greatest_square);
+                let (velocity, surface) = (ball.velocity, ball.surface);
+                let impulse =
+                    cue.impulse(velocity, surface, drift, &step, stepping, &mut greatest_square);
                 if impulse != 0.0 {
                     cue.pushes = cue.pushes || Bits(ball.links).any(met);
                     ball.push += round_to_grid(cue.launch * impulse);
