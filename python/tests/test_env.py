@@ -32,16 +32,20 @@ MIDDLES = {
     "carom/StraightPool-v4": (5, 0),
     "carom/Snooker-v6": (2, 6),
     "carom/ThreeCushion-v6": (2, 0),
+    "carom/StraightRail-v1": (2, 0),
+    "carom/FourBall-v1": (3, 0),
 }
 NOISE = carom.Noise.olympiad(1.0)
 
 # SHA-256 of five steps of sixteen environments.
 RESULTS = {
     "carom/EightBall-v6": "84b81f0256153008",
+    "carom/FourBall-v1": "6a74ac900deffedf",
     "carom/NineBall-v3": "68eb630e4f1d4dfd",
     "carom/Potting-v3": "54652ea9dcc8c0f1",
     "carom/Snooker-v6": "c2cc1317c4fa9746",
     "carom/StraightPool-v4": "0b8e88200bfbd92f",
+    "carom/StraightRail-v1": "f333de407b106094",
     "carom/SumToThree-v3": "9c919dbc73c6b11a",
     "carom/TenBall-v5": "1287f2021f3c2dca",
     "carom/ThreeCushion-v6": "4ddce330d8d8f4fa",

@@ -130,7 +130,7 @@ pub fn expected_shots(frame: &Frame, seat: Seat) -> f64 {
     let missing = || f64::from((frame.options().points - frame.scores()[seat]).max(1));
     let facts = frame.facts();
     match facts.objective {
-        Objective::Caroms => SHOTS_PER_CAROM * missing(),
+        Objective::Caroms { .. } => SHOTS_PER_CAROM * missing(),
         _ if facts.has_target() => missing(),
         _ if facts.players == 1 => left,
         Objective::AnyBall | Objective::LowestFirst => SHOTS_PER_SHARED_BALL * left,

@@ -23,7 +23,7 @@ impl Targets {
         let objects = match frame.facts().objective {
             // Any ball may follow the lowest into a pocket.
             Objective::LowestFirst => others().collect(),
-            Objective::Caroms => BallList::new(),
+            Objective::Caroms { .. } => BallList::new(),
             Objective::AnyBall | Objective::Groups | Objective::RedsAndColors => first,
         };
         Self { cue: turn.cue, first, objects }
@@ -55,7 +55,7 @@ pub fn balls_left(frame: &Frame, seat: Seat) -> usize {
             };
             group + usize::from(!layout.is_down(EIGHT))
         }
-        Objective::Caroms => 0,
+        Objective::Caroms { .. } => 0,
         Objective::AnyBall | Objective::LowestFirst | Objective::RedsAndColors => {
             layout.on_table().filter(|ball| *ball != 0).count()
         }

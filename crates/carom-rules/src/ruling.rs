@@ -34,8 +34,10 @@ pub enum Foul {
     PushShot,
     /// The shot left the next player snookered by the free ball (snooker).
     SnookeredByFreeBall,
-    /// The cue ball touched a cushion before the red in the starting shot (three-cushion).
+    /// The cue ball touched a cushion before the red in the starting shot (games of carom).
     IndirectStart,
+    /// The cue ball touched that of the opponent (four-ball).
+    OpponentsBall,
 }
 
 impl Foul {
@@ -57,6 +59,7 @@ impl Foul {
             Self::PushShot => "a push: the tip was still on the cue ball when it hit a ball",
             Self::SnookeredByFreeBall => "the free ball was left in the way",
             Self::IndirectStart => "the starting shot went to a cushion before the red",
+            Self::OpponentsBall => "the opponent's ball was touched",
         }
     }
 }
@@ -66,7 +69,7 @@ impl Foul {
 pub struct Fouls(u16);
 
 impl Fouls {
-    const ALL: [Foul; 15] = [
+    const ALL: [Foul; 16] = [
         Foul::Scratch,
         Foul::CueBallOffTable,
         Foul::NoContact,
@@ -82,6 +85,7 @@ impl Fouls {
         Foul::PushShot,
         Foul::SnookeredByFreeBall,
         Foul::IndirectStart,
+        Foul::OpponentsBall,
     ];
 
     /// The empty set.
@@ -105,7 +109,7 @@ impl Fouls {
     }
 
     /// Every foul.
-    pub const fn all() -> [Foul; 15] {
+    pub const fn all() -> [Foul; 16] {
         Self::ALL
     }
 

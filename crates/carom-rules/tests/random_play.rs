@@ -152,7 +152,10 @@ fn check_points(game: Game, player: Seat, points: [i32; 2], legal: bool) {
         Game::StraightPool => assert!(others == 0 && (legal == (mine >= 0))),
         Game::Snooker if legal => assert!(others == 0 && (0..=15).contains(&mine)),
         Game::Snooker => assert!(mine == 0 && (4..=7).contains(&others)),
-        Game::ThreeCushion => assert!(others == 0 && (0..=1).contains(&mine)),
+        Game::ThreeCushion | Game::StraightRail => {
+            assert!(others == 0 && (0..=1).contains(&mine));
+        }
+        Game::FourBall => assert!(others == 0 && (-1..=1).contains(&mine) && legal == (mine >= 0)),
         Game::Practice => assert!(others == 0 && mine >= 0 && legal),
     }
 }
@@ -161,7 +164,7 @@ fn check_points(game: Game, player: Seat, points: [i32; 2], legal: bool) {
 fn play_frames(game: Game, shard: u64) {
     let mut simulator = FrameSimulator::new();
     // 20 points need a second rack of straight pool; random caroms are rare, so 3 must do.
-    let points = if game == Game::ThreeCushion { 3 } else { 20 };
+    let points = if carom_rules::GameFacts::of(game).is_carom() { 3 } else { 20 };
     let options = Options { points, ..Options::default() };
     let mut decided = 0;
     for seed in (0..frames()).filter(|seed| seed % SHARDS == shard) {
@@ -238,6 +241,8 @@ games! {
     straight_pool: Game::StraightPool;
     snooker: Game::Snooker;
     three_cushion: Game::ThreeCushion;
+    straight_rail: Game::StraightRail;
+    four_ball: Game::FourBall;
     practice: Game::Practice;
 }
 

@@ -15,6 +15,8 @@ _VERSIONS = {
     "straight-pool": 4,
     "snooker": 6,
     "three-cushion": 6,
+    "straight-rail": 1,
+    "four-ball": 1,
     "sum-to-three": 3,
 }
 

@@ -1,10 +1,11 @@
-//! Candidates that score with the cue ball: three-cushion.
+//! Candidates that score with the cue ball: the games of carom.
 
 use core::f64::consts::TAU;
 
 use carom::Error;
 use carom::math::{asin, atan2, sin_cos, sqrt};
 use carom::resolve::cue_ball::Strike;
+use carom_rules::Objective;
 
 use super::candidate::PlayKind;
 use super::explore::{CuePlace, Explorer, FoundPlay, raised};
@@ -22,8 +23,8 @@ const STEPS: [f64; 5] = [
 ];
 /// Share of the strikes that go to a cushion first, in any direction.
 const INDIRECT: f64 = 0.25;
-/// Least and greatest cue speed, m/s.
-const SPEEDS: [f64; 2] = [1.6, 7.0];
+/// Least and greatest cue speed, m/s, where cushions are needed and where they are not.
+const SPEEDS: [[f64; 2]; 2] = [[1.6, 7.0], [0.4, 4.0]];
 /// Largest hit, as a share of a ball's apparent half width.
 const THINNEST: f64 = 0.97;
 /// Largest tip offset, as a share of the miscue limit.
@@ -44,6 +45,9 @@ impl Explorer<'_> {
         let objects: Vec<_> =
             self.targets.first.iter().filter_map(|ball| scene.ball(*ball)).collect();
         let Some(first) = objects.first().copied() else { return Ok(()) };
+        let objective = self.task.frame().facts().objective;
+        let [slowest, fastest] =
+            SPEEDS[usize::from(objective == Objective::Caroms { cushions: 0 })];
         let most = OFFSET * prepared.shot().miscue_limit().min(1.0);
         let call = call_of(self.task.turn, first.index, None);
         let mut point = [0.5; 5];
@@ -63,7 +67,7 @@ impl Explorer<'_> {
             };
             let (sin, cos) = sin_cos(TAU * angle);
             let offset = most * sqrt(out);
-            let speed = SPEEDS[0] + pace * (SPEEDS[1] - SPEEDS[0]);
+            let speed = slowest + pace * (fastest - slowest);
             let (side, height) = (offset * cos, offset * sin);
             let strike = Strike { speed, azimuth, elevation: 0.0, side, height };
             let strike = raised(prepared, strike);

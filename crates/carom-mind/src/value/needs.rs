@@ -55,7 +55,7 @@ impl Needs {
                 let reds = set_of(frame.layout().on_table().filter(|b| frame.value(*b) == 1));
                 return shared(Order::RedsAndColors(frame.kind_on().unwrap_or_default(), reds));
             }
-            Objective::AnyBall | Objective::Caroms => return shared(Order::Free),
+            Objective::AnyBall | Objective::Caroms { .. } => return shared(Order::Free),
             Objective::Groups => {}
         }
         let of_group =

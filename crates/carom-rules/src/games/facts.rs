@@ -55,8 +55,11 @@ pub enum Objective {
     Groups,
     /// To pot a red, then a colour, and so on.
     RedsAndColors,
-    /// To hit them with the cue ball; there are no pockets.
-    Caroms,
+    /// To hit two of them with the cue ball; there are no pockets.
+    Caroms {
+        /// Cushions that the cue ball must touch before it touches the second of them.
+        cushions: usize,
+    },
 }
 
 /// How the winner is found.
@@ -132,7 +135,7 @@ pub(crate) const BREAK: Opening = Opening { kind: OpeningKind::Break, speeds: [7
 impl GameFacts {
     /// Whether the game is played on a table without pockets.
     pub const fn is_carom(&self) -> bool {
-        matches!(self.objective, Objective::Caroms)
+        matches!(self.objective, Objective::Caroms { .. })
     }
 
     /// Whether a number of points wins that is agreed before the start.
@@ -161,7 +164,7 @@ impl GameFacts {
                 Some(ball) != self.deciding_ball
             }
             Objective::Groups | Objective::RedsAndColors => on.contains(&ball),
-            Objective::Caroms => false,
+            Objective::Caroms { .. } => false,
         }
     }
 
@@ -203,7 +206,7 @@ impl Objective {
             Self::LowestFirst => "lowest-first",
             Self::Groups => "groups",
             Self::RedsAndColors => "reds-and-colors",
-            Self::Caroms => "caroms",
+            Self::Caroms { .. } => "caroms",
         }
     }
 }

@@ -2,13 +2,16 @@
 
 pub mod eight_ball;
 mod facts;
+pub mod four_ball;
 mod game;
 mod group;
+mod innings;
 mod pool;
 pub mod practice;
 pub mod rotation;
 pub mod snooker;
 pub mod straight_pool;
+pub mod straight_rail;
 pub mod three_cushion;
 
 use carom::rack::Game;
@@ -68,6 +71,10 @@ game_states! {
     Snooker(snooker::Snooker),
     /// Three-cushion.
     ThreeCushion(three_cushion::ThreeCushion),
+    /// Straight rail.
+    StraightRail(straight_rail::StraightRail),
+    /// Korean four-ball.
+    FourBall(four_ball::FourBall),
     /// Practice.
     Practice(practice::Practice),
 }
@@ -82,6 +89,8 @@ impl GameFacts {
             Game::StraightPool => &straight_pool::FACTS,
             Game::Snooker => &snooker::FACTS,
             Game::ThreeCushion => &three_cushion::FACTS,
+            Game::StraightRail => &straight_rail::FACTS,
+            Game::FourBall => &four_ball::FACTS,
             Game::Practice => &practice::FACTS,
         }
     }

@@ -2,10 +2,12 @@
 
 mod eight_ball;
 mod endings;
+mod four_ball;
 mod near_balls;
 mod rotation;
 mod snooker;
 mod straight_pool;
+mod straight_rail;
 mod three_cushion;
 
 use carom::outcome::{Outcome, Touched};

@@ -216,6 +216,24 @@ const THREE_CUSHION: BreakPreset = BreakPreset {
     ..EIGHT_BALL
 };
 
+const FOUR_BALL: BreakPreset = BreakPreset {
+    name: "opening",
+    game: Game::FourBall,
+    speed: 2.5,
+    aim: (3, 1.0),
+    side: 0.0,
+    height: 0.0,
+    sources: &[
+        ("place", Specified, "beside the red on the head spot: Wikipedia, Four-ball billiards"),
+        ("speed", Estimate, "no source found"),
+        ("aim", Estimate, "half of the red at the other end; no source found"),
+        ("side", Estimate, "none; no source found"),
+        ("height", Estimate, "none; no source found"),
+        ELEVATION,
+    ],
+    ..EIGHT_BALL
+};
+
 /// Every preset as a tree of values: `game`, `name`, `place` (`as-racked`, or the key `left_of_middle`
 /// or `from_left_rail` with m), `speed`, `aim_ball`, `aim_offset`, `side`, `height`, `gap`,
 /// `middle_on_spot`, and `sources` (`key`, `evidence`, `source`).
@@ -251,7 +269,7 @@ pub fn break_presets() -> Node {
 
 impl BreakPreset {
     /// Every preset, by game. The first of a game is its most usual one.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         EIGHT_BALL,
         NINE_BALL_RAIL,
         NINE_BALL_BOX,
@@ -260,6 +278,7 @@ impl BreakPreset {
         STRAIGHT_POOL,
         SNOOKER,
         THREE_CUSHION,
+        FOUR_BALL,
     ];
 
     /// The preset of that name.
@@ -267,7 +286,7 @@ impl BreakPreset {
     /// # Errors
     /// [`Error::Input`] that lists the presets of the game, if there is none.
     pub fn of(game: Game, name: &str) -> Result<&'static Self, Error> {
-        static ALL: [BreakPreset; 8] = BreakPreset::ALL;
+        static ALL: [BreakPreset; 9] = BreakPreset::ALL;
         let of_game = || ALL.iter().filter(move |preset| preset.game == game.opened_as());
         of_game().find(|preset| preset.name == name).ok_or_else(|| {
             let known: Vec<&str> = of_game().map(|preset| preset.name).collect();

@@ -29,6 +29,8 @@ pub(super) enum Pattern {
     Reds(&'static [usize]),
     /// The two cue balls of a carom table and the red.
     Carom,
+    /// The two cue balls, a red between them and one at the other end.
+    TwoReds,
 }
 
 /// The order of numbered balls.
@@ -54,6 +56,16 @@ const EIGHT_BALL: Equipment = Equipment {
     opened_as: None,
     break_speed: FULL_BREAK,
     break_aim: (1, 0.0),
+};
+
+const THREE_CUSHION: Equipment = Equipment {
+    name: "three-cushion",
+    table: "carom-10ft",
+    pattern: Pattern::Carom,
+    opened_as: None,
+    break_speed: 3.0,
+    // The red, half full.
+    break_aim: (2, 1.0),
 };
 
 /// Makes the enum of the games, their list, and the equipment of each.
@@ -113,17 +125,24 @@ games! {
         ..EIGHT_BALL
     };
     /// Three-cushion carom (UMB): three balls.
-    ThreeCushion = Equipment {
-        name: "three-cushion",
-        table: "carom-10ft",
-        pattern: Pattern::Carom,
-        break_speed: 3.0,
-        // The red, half full.
-        break_aim: (2, 1.0),
-        ..EIGHT_BALL
-    };
+    ThreeCushion = THREE_CUSHION;
     /// A rack of eight-ball without fouls.
     Practice = Equipment { name: "practice", opened_as: Some(Game::EightBall), ..EIGHT_BALL };
+    /// Straight rail, the free game of carom (UMB): the balls of three-cushion, which has the same opening shot.
+    StraightRail = Equipment {
+        name: "straight-rail",
+        opened_as: Some(Game::ThreeCushion),
+        ..THREE_CUSHION
+    };
+    /// Korean four-ball: two cue balls, a red beside them and one at the other end.
+    FourBall = Equipment {
+        name: "four-ball",
+        pattern: Pattern::TwoReds,
+        break_speed: 2.5,
+        // The red at the other end, half full.
+        break_aim: (3, 1.0),
+        ..THREE_CUSHION
+    };
 }
 
 impl Game {

@@ -66,6 +66,7 @@ pub fn rack(
     match game.equipment().pattern {
         Pattern::Reds(rows) => plan.snooker(rows, &mut balls, &mut random),
         Pattern::Carom => plan.carom(&mut balls),
+        Pattern::TwoReds => plan.two_reds(&mut balls),
         Pattern::Numbers(rows, order) => {
             balls.push((String::from("cue"), plan.cue_ball()));
             let numbers = pattern::numbers(rows.iter().sum(), order, &mut random);
@@ -209,6 +210,15 @@ impl<'a> RackPlan<'a> {
         balls.push((String::from("cue"), [mirrored(x, offset), y]));
         balls.push((String::from("yellow"), [x, y]));
         balls.push((String::from("red"), spot(self.table, "foot", 0.75)));
+    }
+
+    fn two_reds(&self, balls: &mut Vec<RackedBall>) {
+        let [x, y] = spot(self.table, "head", 0.25);
+        let offset = CUE_BALL_OFFSET.min(0.25 * self.table.size.x);
+        balls.push((String::from("cue"), [mirrored(x, offset), y]));
+        balls.push((String::from("yellow"), [mirrored(x, -offset), y]));
+        balls.push((String::from("red-1"), [x, y]));
+        balls.push((String::from("red-2"), spot(self.table, "foot", 0.75)));
     }
 }
 

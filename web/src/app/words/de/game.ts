@@ -127,6 +127,7 @@ export const texts: Translation<typeof en.game> = {
   "referee.push": "ein Durchstoß: die Pomeranze lag noch am Spielball, als er eine Kugel traf",
   "referee.free-ball-in-way": "der Freeball verdeckt die anspielbaren Kugeln",
   "referee.indirect-start": "der Anfangsstoß ging vor der Roten an eine Bande",
+  "referee.opponents-ball": "die Kugel des Gegners wurde berührt",
   "referee.eight-off": "die 8 hat den Tisch verlassen",
   "referee.eight-foul": "die 8 fiel bei einem Foul",
   "referee.eight-early": "die 8 fiel, bevor die Gruppe versenkt war",

@@ -39,5 +39,7 @@ export const texts: Translation<typeof en.presets> = {
   "game.straight-pool": "14/1 endlos",
   "game.snooker": "Snooker",
   "game.three-cushion": "Dreiband",
+  "game.straight-rail": "Freie Partie",
+  "game.four-ball": "Vierball",
   "game.practice": "Training",
 };

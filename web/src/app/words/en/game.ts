@@ -123,6 +123,7 @@ export const texts = {
   "referee.push": "a push: the tip was still on the cue ball when it hit a ball",
   "referee.free-ball-in-way": "the free ball was left in the way",
   "referee.indirect-start": "the starting shot went to a cushion before the red",
+  "referee.opponents-ball": "the opponent's ball was touched",
   "referee.eight-off": "the eight was driven off the table",
   "referee.eight-foul": "the eight was pocketed with a foul",
   "referee.eight-early": "the eight was pocketed before the group was cleared",

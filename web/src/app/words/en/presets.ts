@@ -37,5 +37,7 @@ export const texts = {
   "game.straight-pool": "Straight pool",
   "game.snooker": "Snooker",
   "game.three-cushion": "Three-cushion",
+  "game.straight-rail": "Straight rail",
+  "game.four-ball": "Four-ball",
   "game.practice": "Practice",
 } as const;

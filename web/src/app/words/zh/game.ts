@@ -125,6 +125,7 @@ export const texts: Translation<typeof en.game> = {
   "referee.push": "推杆：母球碰球时皮头仍贴着母球",
   "referee.free-ball-in-way": "用自由球（斯诺克）做了障碍",
   "referee.indirect-start": "首杆在碰红球前碰了库",
+  "referee.opponents-ball": "碰到了对手的母球",
   "referee.eight-off": "8 号球飞出球台",
   "referee.eight-foul": "8 号球落袋时犯规",
   "referee.eight-early": "本组球未清完时 8 号球落袋",

@@ -39,5 +39,7 @@ export const texts: Translation<typeof en.presets> = {
   "game.straight-pool": "14-1 连续击球",
   "game.snooker": "斯诺克",
   "game.three-cushion": "三库开伦",
+  "game.straight-rail": "自由开伦",
+  "game.four-ball": "四球开伦",
   "game.practice": "练习",
 };
