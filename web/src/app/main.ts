@@ -10,7 +10,7 @@ import { makeInstallable } from "./install.ts";
 import { mountNotices } from "./shell/notices.ts";
 import { mountPage, place } from "./page.ts";
 import { applyLanguage } from "./shell/language.ts";
-import { setTurn, turnOf } from "./common/seen.ts";
+import { followTurn, turnOf } from "./common/seen.ts";
 import { FIRST_VIEW } from "./document/document.ts";
 import { Scene } from "./scene.ts";
 import { startOf } from "./start.ts";
@@ -40,6 +40,7 @@ async function start(): Promise<void> {
   const engine = await loading;
   const first = await startOf(engine);
   const store = new Store(referee(engine), first.document, first.view);
+  followTurn(() => store.session.turn);
   const context: Context = {
     engine,
     viewer,
@@ -55,14 +56,14 @@ async function start(): Promise<void> {
   scene.update();
   viewer.render();
   // The texts that the parts make at once already name the pockets as the picture shows them.
-  followTurn(store, viewer);
+  readTurn(store, viewer);
   // The parts are mounted while another process draws the first picture.
   mountParts();
   first.begin(store, context);
   draw = () => {
     scene.update();
     if (viewer.needsFrame) viewer.render();
-    followTurn(store, viewer);
+    readTurn(store, viewer);
     return viewer.needsFrame;
   };
   loop.invalidate();
@@ -71,17 +72,15 @@ async function start(): Promise<void> {
   requestAnimationFrame(() => performance.mark("carom:interactive"));
 }
 
-/** Names pockets and rails as the picture shows them; behind the cue the names stay. */
-function followTurn(store: Store, viewer: Viewer): void {
+/** Reads how the picture shows the table, for the names of pockets and rails; behind the cue they stay. */
+function readTurn(store: Store, viewer: Viewer): void {
   const { size } = store.shot.geometry;
   if (!size || store.view.camera === "cue" || viewer.flying) return;
   const [x, y] = [size[0] / 2, size[1] / 2];
   const aside = viewer.seen([x, y], [x, y + ASIDE]);
   if (!aside) return;
   const turn = turnOf(...aside);
-  if (turn === store.session.turn) return;
-  setTurn(turn);
-  store.setSession({ turn });
+  if (turn !== store.session.turn) store.setSession({ turn });
 }
 
 declare global {

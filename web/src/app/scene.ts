@@ -3,15 +3,17 @@
 import type { Call, Engine, Strike, Trace } from "../engine/index.ts";
 import { STRIDE } from "../engine/types.ts";
 import type { Area, BallPath, CuePose, Density, Mark, Viewer } from "../viewer/index.ts";
+import { VERTEX } from "../viewer/viewer-types.ts";
 import { stopHandle } from "./analyse/stop-handle.ts";
 import type { Context } from "./common/context.ts";
 import type { AimedShot, Attempt, Session } from "./document/document.ts";
 import { areasOf } from "./game/game-areas.ts";
 import type { Game, Guide } from "./document/stored-game.ts";
 import { shownGuide } from "./document/guide-extent.ts";
-import { firstMeeting, shortPaths } from "./game/guide/short-paths.ts";
+import { endOfAimLine, shortPaths } from "./game/guide/short-paths.ts";
 import { presentCall } from "./game/calling.ts";
 import { canAim, standing } from "./game/awaited-turn.ts";
+import { firstMeeting } from "./pot/first-contact.ts";
 import { guidesOf, lineFrom } from "./pot/guide-lines.ts";
 import { strokePull } from "./replay/replay-clock.ts";
 import { timedPaths } from "./replay/trail-paths.ts";
@@ -222,7 +224,7 @@ function wholePaths(trace: Trace, extent: Guide | "trace"): BallPath[] {
 
 /** Whether a path has any length. */
 function moves(points: Float64Array): boolean {
-  for (let k = 4; k < points.length; k += 4) {
+  for (let k = VERTEX; k < points.length; k += VERTEX) {
     if (points[k] !== points[0] || points[k + 1] !== points[1]) return true;
   }
   return false;
@@ -248,15 +250,9 @@ function marks(trace: Trace, guide: Guide): Mark[] {
   const id = struck === null ? null : balls[struck]!.id;
   if (struck === null || id === null) return [];
   const found: Mark[] = [];
-  const contact = trace.events.find(
-    // A strike moves the balls that touch the cue ball at once.
-    ({ type, balls }) =>
-      (type === "ball-collision" || type === "cue-strike") &&
-      balls.length > 1 &&
-      balls.includes(id),
-  );
-  if (contact && (guide === "full" || contact === firstMeeting(trace))) {
-    const { position } = contact.before[contact.balls.indexOf(id)]!;
+  const contact = firstMeeting(trace, "cue-strike", "ball-collision");
+  if (contact && (guide === "full" || contact.event === endOfAimLine(trace))) {
+    const { position } = contact.event.before[contact.own]!;
     found.push({ position, kind: "ghost-ball", ball: struck });
   }
   const { pocketed, off_table } = trace.outcome;

@@ -5,7 +5,6 @@ import type { Context } from "../common/context.ts";
 import { h, setText, svg, uniqueId } from "../common/dom.ts";
 import { changeUnpressed } from "../common/press.ts";
 import { errorText } from "../common/refusals.ts";
-import { inSlicesUnlessReplaced } from "../common/slices.ts";
 import { ballName, pocketName } from "../common/shot-words.ts";
 import { outcomeOf, treeEngine } from "../document/balls-after.ts";
 import type { AimedShot } from "../document/document.ts";
@@ -56,7 +55,7 @@ function resultText(engine: Engine, { shot }: TreeNode): string {
 
 /** Shows a tree, a text that a file or a user gives. @throws CaromError if it cannot be read. */
 export async function openTree(store: Store, engine: Engine, text: string): Promise<boolean> {
-  const tree = await inSlicesUnlessReplaced(treeReading(text, treeEngine(engine)));
+  const tree = await store.open(treeReading(text, treeEngine(engine)));
   if (!tree) return false;
   const node = nodeOf(tree, tree.at);
   return store.apply({ tree, game: null, ...(node && { shot: node.shot }) }, t("change.open-tree"));

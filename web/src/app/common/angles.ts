@@ -1,4 +1,4 @@
-/** Aiming angles in the plane of the table, in degrees as in shot files. */
+/** Angles: degrees and radians, and aiming in the plane of the table, in degrees as in shot files. */
 
 import type { Point } from "../../engine/index.ts";
 
@@ -7,6 +7,9 @@ import type { Point } from "../../engine/index.ts";
  * snooker table; more decimals would only make links longer.
  */
 export const AZIMUTH_DIGITS = 4;
+
+export const toDegrees = (radians: number): number => radians * (180 / Math.PI);
+export const toRadians = (degrees: number): number => degrees * (Math.PI / 180);
 
 /** A length (m) rounded to 0.1 mm, finer than a hand can place a ball. */
 export function round4(metres: number): number {
@@ -22,12 +25,12 @@ export function wrap(degrees: number): number {
 
 /** Direction from one point to another, degrees counter-clockwise from +x. */
 export function azimuthTo(from: Point, to: Point): number {
-  return wrap((Math.atan2(to[1] - from[1], to[0] - from[0]) * 180) / Math.PI);
+  return wrap(toDegrees(Math.atan2(to[1] - from[1], to[0] - from[0])));
 }
 
 /** Angle by which the direction from `center` turns between two points, in (−180, 180]. */
 export function sweep(center: Point, before: Point, after: Point): number {
   const [ax, ay] = [before[0] - center[0], before[1] - center[1]];
   const [bx, by] = [after[0] - center[0], after[1] - center[1]];
-  return (Math.atan2(ax * by - ay * bx, ax * bx + ay * by) * 180) / Math.PI;
+  return toDegrees(Math.atan2(ax * by - ay * bx, ax * bx + ay * by));
 }

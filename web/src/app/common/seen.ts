@@ -38,16 +38,11 @@ export type SeenPocket = PocketName | "top" | "bottom";
 
 export type SeenRail = RailName | "top-left" | "top-right" | "bottom-left" | "bottom-right";
 
-let turn: Turn = 0;
+let presentTurn = (): Turn => 0;
 
-/** How the picture shows the table. Texts that are kept must be made again when it changes. */
-export function presentTurn(): Turn {
-  return turn;
-}
-
-/** Chooses how the picture shows the table. */
-export function setTurn(next: Turn): void {
-  turn = next;
+/** Names follow `present`, the turn of the picture. Texts that are kept must be made again when it changes. */
+export function followTurn(present: () => Turn): void {
+  presentTurn = present;
 }
 
 /** The quarter turns of a picture in which +y points to (`dx`, `dy`), in pixels; y is down on a screen. */
@@ -76,6 +71,6 @@ const COLUMNS = ["left", "", "right"];
 
 function turned([column, row]: Place): Place {
   let place: Place = [column, row];
-  for (let k = 0; k < turn; k += 1) place = [place[1], -place[0]];
+  for (let k = 0; k < presentTurn(); k += 1) place = [place[1], -place[0]];
   return place;
 }

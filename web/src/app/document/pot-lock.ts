@@ -1,21 +1,19 @@
 /** The aim at a pocket: it stays solved while speed, English and elevation change. */
 
 import { CaromError, type PocketName, type PotAim, type Shot } from "../../engine/index.ts";
-import { azimuthTo, wrap } from "../common/angles.ts";
+import { azimuthTo, toDegrees, wrap } from "../common/angles.ts";
 import type { AimedShot, PotLock } from "./document.ts";
-import { anglesOf, azimuthOf, changed } from "./strike-angles.ts";
-
-const DEGREES = 180 / Math.PI;
+import { azimuthOf, changed } from "./strike-angles.ts";
 
 /** The azimuth of a solved aim, degrees as the page writes them. */
 export function azimuthOfAim({ strike }: PotAim): number {
-  return wrap(strike.azimuth * DEGREES);
+  return wrap(toDegrees(strike.azimuth));
 }
 
 /** What the page keeps of an aim. */
 export function lockOf(ball: string, pocket: PocketName, aim: PotAim): PotLock {
   const { kind, losesCueBall } = aim;
-  return { ball, pocket, solved: true, margin: aim.margin * DEGREES, kind, losesCueBall };
+  return { ball, pocket, solved: true, margin: toDegrees(aim.margin), kind, losesCueBall };
 }
 
 /**
@@ -55,11 +53,4 @@ function towards(ball: string, before: AimedShot, after: AimedShot): AimedShot {
   if (!from || !to || String(from) === String(place(before, before.strike.ball))) return after;
   const azimuth_deg = azimuthTo([from[0], from[1]], [to[0], to[1]]);
   return { ...after, strike: changed(after.strike, { azimuth_deg }) };
-}
-
-/** `shot` with its cue turned to `azimuth`, degrees; the caller frees it. */
-export function turnedTo(shot: Shot, file: AimedShot, azimuth: number): Shot {
-  const { speed, side = 0, height = 0 } = file.strike;
-  const { elevation } = anglesOf(file.strike);
-  return shot.withStrike({ speed, azimuth: azimuth / DEGREES, elevation, side, height });
 }

@@ -25,6 +25,7 @@ import {
 } from "./document.ts";
 import type { Game } from "./stored-game.ts";
 import { errorText } from "../common/refusals.ts";
+import { inSlices, type Slices } from "../common/slices.ts";
 import { azimuthOfAim, lockOf, steered } from "./pot-lock.ts";
 import { History } from "./history.ts";
 import { anglesOf, changed, STRIKE_NUMBERS } from "./strike-angles.ts";
@@ -77,6 +78,8 @@ export class Store {
   #shot: Shot;
   #ghost: Ghost | null = null;
   #solver: PotSolver | null = null;
+  /** What the user has opened last. */
+  #opening: Slices<unknown> | null = null;
 
   /** @throws CaromError if the engine refuses `document`. */
   constructor(compiler: Compiler, document: Document, view: View = FIRST_VIEW) {
@@ -173,8 +176,14 @@ export class Store {
   }
 
   /** As `aimAtPocket`, for a line that is known. @returns Whether it was accepted. */
-  takeAim(ball: string, pocket: PocketName, aim: PotAim, label: string): boolean {
-    if (!this.strike({ azimuth_deg: azimuthOfAim(aim) }, label)) return false;
+  takeAim(
+    ball: string,
+    pocket: PocketName,
+    aim: PotAim,
+    label: string,
+    group: string | null = null,
+  ): boolean {
+    if (!this.strike({ azimuth_deg: azimuthOfAim(aim) }, label, group)) return false;
     this.setSession({ lock: lockOf(ball, pocket, aim) });
     return true;
   }
@@ -229,6 +238,13 @@ export class Store {
     const before = this.state;
     this.#session = { ...this.#session, ...patch };
     this.#notify(before);
+  }
+
+  /** Reads what the user opens; null if the user has opened something else meanwhile. */
+  open<T>(slices: Slices<T>): Promise<T | null> {
+    this.#opening?.return(null);
+    this.#opening = slices;
+    return inSlices<T | null>(slices);
   }
 
   /** Shows a refusal of something that was not tried. */

@@ -1,8 +1,7 @@
 /** The numbers of a strike. A shot file has its angles in degrees or in radians. */
 
 import type { StrikeEntry } from "../../engine/index.ts";
-
-const RADIANS_PER_DEGREE = Math.PI / 180;
+import { toDegrees, toRadians } from "../common/angles.ts";
 
 /** The keys that have a number, in the order in which a tree is written; `Shot.withStrike` can change them. */
 export const STRIKE_NUMBERS = [
@@ -17,7 +16,7 @@ export const STRIKE_NUMBERS = [
 
 /** Direction of the cue, degrees; a file may have it in radians. */
 export function azimuthOf({ azimuth, azimuth_deg = 0 }: StrikeEntry): number {
-  return azimuth === undefined ? azimuth_deg : azimuth / RADIANS_PER_DEGREE;
+  return azimuth === undefined ? azimuth_deg : toDegrees(azimuth);
 }
 
 /** Whether the strike omits its elevation, so that the engine chooses it. */
@@ -31,7 +30,7 @@ export function isAutomatic({ elevation, elevation_deg }: StrikeEntry): boolean 
  * @param used The elevation that the engine uses, rad; it is shown if the strike omits one.
  */
 export function elevationOf({ elevation, elevation_deg }: StrikeEntry, used: number): number {
-  return elevation_deg ?? (elevation ?? used) / RADIANS_PER_DEGREE;
+  return elevation_deg ?? toDegrees(elevation ?? used);
 }
 
 /**
@@ -40,8 +39,8 @@ export function elevationOf({ elevation, elevation_deg }: StrikeEntry, used: num
  */
 export function anglesOf(strike: StrikeEntry): { azimuth: number; elevation: number | undefined } {
   const { azimuth_deg = 0, elevation_deg } = strike;
-  const { azimuth = azimuth_deg * RADIANS_PER_DEGREE } = strike;
-  const inRadians = elevation_deg === undefined ? undefined : elevation_deg * RADIANS_PER_DEGREE;
+  const { azimuth = toRadians(azimuth_deg) } = strike;
+  const inRadians = elevation_deg === undefined ? undefined : toRadians(elevation_deg);
   const { elevation = inRadians } = strike;
   return { azimuth, elevation };
 }

@@ -1,11 +1,9 @@
 /** At what the cue is aimed: it stays the target while the struck ball is moved. */
 
 import type { Point } from "../../engine/index.ts";
-import { wrap } from "../common/angles.ts";
+import { toDegrees, toRadians, wrap } from "../common/angles.ts";
 import { azimuthOf } from "./strike-angles.ts";
 import type { Store } from "./store.ts";
-
-const DEGREES = 180 / Math.PI;
 
 export interface Target {
   /** Id of the ball that is hit first. */
@@ -22,7 +20,7 @@ export function targetOf(store: Store): Target | null {
   const to = balls.find(({ id }) => id === outcome.first_contact)?.position;
   if (!to) return null;
   const [x, y] = balls[struck]!.position;
-  const azimuth = azimuthOf(store.document.shot.strike) / DEGREES;
+  const azimuth = toRadians(azimuthOf(store.document.shot.strike));
   const offset = Math.cos(azimuth) * (to[1] - y) - Math.sin(azimuth) * (to[0] - x);
   return { ball: outcome.first_contact!, offset };
 }
@@ -31,5 +29,5 @@ export function targetOf(store: Store): Target | null {
 export function azimuthAt([x, y]: Point, [u, v]: Point, offset: number): number | null {
   const away = Math.hypot(u - x, v - y);
   if (away <= Math.abs(offset)) return null;
-  return wrap((Math.atan2(v - y, u - x) - Math.asin(offset / away)) * DEGREES);
+  return wrap(toDegrees(Math.atan2(v - y, u - x) - Math.asin(offset / away)));
 }

@@ -5,7 +5,7 @@
 
 import { CaromError, type Engine } from "../../engine/index.ts";
 import { errorText, PageError } from "../common/refusals.ts";
-import { inSlicesUnlessReplaced, type Slices } from "../common/slices.ts";
+import type { Slices } from "../common/slices.ts";
 import { treeEngine } from "../document/balls-after.ts";
 import type { AimedShot, Document, Study } from "../document/document.ts";
 import { aimed } from "../document/shot-file.ts";
@@ -33,7 +33,7 @@ export async function openStudy(
   if (!game) return false;
   try {
     const played = playedShot(engine, game, index);
-    const tree = await inSlicesUnlessReplaced(variationsOf(engine, game, index, played));
+    const tree = await store.open(variationsOf(engine, game, index, played));
     const { shot: now, tree: earlier } = store.document;
     if (!tree || store.document.game !== game) return false;
     const free = withoutCling(aim ?? played);

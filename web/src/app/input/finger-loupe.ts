@@ -8,6 +8,9 @@ const REST = 350;
 /** Movement (CSS pixels) of a finger that rests. */
 const STILL = 6;
 
+/** A pointer on the page. */
+type Pointed = Pick<PointerEvent, "clientX" | "clientY" | "pointerType">;
+
 interface Place {
   readonly x: number;
   readonly y: number;
@@ -25,11 +28,11 @@ export class Loupe {
   }
 
   /** A pointer that goes down; only a finger covers what it points at. */
-  press({ clientX: x, clientY: y, pointerType }: PointerEvent): void {
+  press({ clientX: x, clientY: y, pointerType }: Pointed): void {
     if (pointerType === "touch") this.#rest({ x, y });
   }
 
-  move({ clientX: x, clientY: y }: PointerEvent): void {
+  move({ clientX: x, clientY: y }: Pointed): void {
     if (!this.#at) return;
     if (this.#shown) this.#viewer.loupe({ x, y });
     else if (Math.hypot(x - this.#at.x, y - this.#at.y) > STILL) this.#rest({ x, y });

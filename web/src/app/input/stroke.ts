@@ -21,6 +21,9 @@ const REST = 8;
 const FULL = 240;
 const SHORTEST = 90;
 
+/** A pointer on the page. */
+type Pointed = Pick<PointerEvent, "clientX" | "clientY" | "pointerType">;
+
 type Spot = readonly [x: number, y: number];
 
 export class Stroke {
@@ -50,7 +53,7 @@ export class Stroke {
   }
 
   /** Takes the cue. @returns Whether the point is on it. */
-  press(event: PointerEvent, group: string): boolean {
+  press(event: Pointed, group: string): boolean {
     const line = this.#line();
     if (!line || !this.over(event.clientX, event.clientY, event.pointerType)) return false;
     const [[tx, ty], [bx, by]] = line;

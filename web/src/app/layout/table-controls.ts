@@ -8,7 +8,7 @@ import { changeTable } from "../document/layout-changes.ts";
 import { mountParameters } from "../form/parameter-rows.ts";
 import type { Values } from "../form/parameters.ts";
 import type { Store } from "../document/store.ts";
-import { described, proportioned } from "./table-form.ts";
+import { tableValues, withMarkings } from "./table-form.ts";
 import { t } from "../words/translate.ts";
 
 /** Dimensions that also move the markings on the cloth. */
@@ -65,15 +65,15 @@ export function mountTable(root: HTMLElement, store: Store, { engine }: Context)
   const preset = () => presets.get(baseName());
   const showForm = mountParameters(form, store, engine.schema("shot"), {
     part: "table",
-    now: () => described(store.shot.geometry),
+    now: () => tableValues(store.shot.geometry),
     base: () => {
       const geometry = preset();
-      return geometry ? described(geometry) : {};
+      return geometry ? tableValues(geometry) : {};
     },
     changes,
     write: (next, path) => {
       const { geometry } = store.shot;
-      const whole = SIZES.includes(path[0]!) ? proportioned(next, geometry, preset()) : next;
+      const whole = SIZES.includes(path[0]!) ? withMarkings(next, geometry, preset()) : next;
       const { base, ...rest } = whole;
       // Without changes the preset's name is enough.
       const table = typeof base === "string" && Object.keys(rest).length === 0 ? base : whole;

@@ -8,7 +8,7 @@ import { withoutValue, withValue, type Values } from "../form/parameters.ts";
 const DRAWN = ["sights", "markings"];
 
 /** A table in the keys of a shot file; empty for unbounded cloth. */
-export function described({ dimensions, pockets }: Geometry): Values {
+export function tableValues({ dimensions, pockets }: Geometry): Values {
   if (!dimensions) return {};
   const values = dimensions.reduce<Values>((found, { key, value }) => {
     const path = key.split(".");
@@ -25,20 +25,21 @@ export function described({ dimensions, pockets }: Geometry): Values {
  * @param from - The table before the change, with its markings.
  * @param base - The preset, if there is one; markings that equal its own are left out.
  */
-export function proportioned(changes: Values, from: Geometry, base: Geometry | undefined): Values {
+export function withMarkings(changes: Values, from: Geometry, base: Geometry | undefined): Values {
   const [width, length] = base?.size ?? from.size ?? [1, 1];
   const to: Point = [Number(changes.width ?? width), Number(changes.length ?? length)];
   if (!from.size || !from.markings) return changes;
-  const moved = scaled(from.markings, from.size, to);
-  const usual = base?.markings && base.size && scaled(base.markings, base.size, base.size);
+  const moved = scale(from.markings, [to[0] / from.size[0], to[1] / from.size[1]]);
+  // By 1, so that the preset's own markings are rounded as the moved ones are.
+  const usual = base?.markings && scale(base.markings, [1, 1]);
   return JSON.stringify(moved) === JSON.stringify(usual)
     ? withoutValue(changes, ["markings"])
     : { ...changes, markings: moved };
 }
 
-/** Markings of a table of size `from` on one of size `to`. */
-function scaled({ head_string, d_radius, spots }: Markings, from: Point, to: Point): Values {
-  const along = (axis: 0 | 1, value: number) => round4((value / from[axis]) * to[axis]);
+/** Markings as a shot file has them, of a table whose width and length are multiplied by `factors`. */
+function scale({ head_string, d_radius, spots }: Markings, factors: Point): Values {
+  const along = (axis: 0 | 1, value: number) => round4(value * factors[axis]);
   return {
     ...(head_string !== null && { head_string: along(1, head_string) }),
     ...(d_radius !== null && { d_radius }),

@@ -1,8 +1,7 @@
 /** How the cue ball meets the first ball: what players call the cut. */
 
 import type { Trace, TraceEvent } from "../../engine/index.ts";
-
-const DEGREES = 180 / Math.PI;
+import { toDegrees } from "../common/angles.ts";
 
 /** The first contact of the cue ball with another ball. */
 export interface Contact {
@@ -24,17 +23,26 @@ export interface ContactEvent {
   readonly other: number;
 }
 
+/** The first event of some types in which the struck ball meets a ball or a cushion; null if there is none. */
+export function firstMeeting(
+  { shot, events }: Trace,
+  ...types: readonly TraceEvent["type"][]
+): { readonly event: TraceEvent; readonly own: number } | null {
+  const id = shot.struck === null ? undefined : shot.balls[shot.struck]?.id;
+  const event = events.find(
+    ({ type, balls }) =>
+      types.includes(type) &&
+      balls.some((ball) => ball === id) &&
+      // A strike meets the balls that touch the cue ball: it moves them at once.
+      (type !== "cue-strike" || balls.length > 1),
+  );
+  return event ? { event, own: event.balls.indexOf(id!) } : null;
+}
+
 /** The first contact of a shot; null if the cue ball meets no ball, or several at once. */
 export function firstContactEvent(trace: Trace): ContactEvent | null {
-  const { struck, balls } = trace.shot;
-  const cue = struck === null ? undefined : balls[struck]?.id;
-  if (cue === undefined) return null;
-  const event = trace.events.find(
-    ({ type, balls: met }) => type === "ball-collision" && met.includes(cue),
-  );
-  if (event?.balls.length !== 2) return null;
-  const own = event.balls.indexOf(cue);
-  return { event, own, other: 1 - own };
+  const met = firstMeeting(trace, "ball-collision");
+  return met?.event.balls.length === 2 ? { ...met, other: 1 - met.own } : null;
 }
 
 /** The cut of the first contact; null as for `firstContactEvent`. */
@@ -46,6 +54,6 @@ export function firstContact(trace: Trace): Contact | null {
   const [x, y] = [to.position[0] - from.position[0], to.position[1] - from.position[1]];
   const [vx, vy] = from.velocity;
   const across = Math.abs(vx * y - vy * x) / (Math.hypot(x, y) * Math.hypot(vx, vy));
-  const cut = Math.asin(Math.min(1, across)) * DEGREES;
+  const cut = toDegrees(Math.asin(Math.min(1, across)));
   return { ball: event.balls[other]!, cut, fullness: 1 - Math.min(1, across) };
 }

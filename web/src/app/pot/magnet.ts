@@ -1,47 +1,36 @@
 /** Magnetic aiming: a cue that turns past a pot clicks into its middle. */
 
-import {
-  CaromError,
-  type PocketName,
-  type PotAim,
-  type Shot,
-  type Trace,
-} from "../../engine/index.ts";
-import type { AimedShot } from "../document/document.ts";
-import { azimuthOfAim, turnedTo } from "../document/pot-lock.ts";
+import { CaromError, type PocketName, type PotAim, type Trace } from "../../engine/index.ts";
+import { toDegrees } from "../common/angles.ts";
+import { azimuthOfAim } from "../document/pot-lock.ts";
 import { firstContactEvent } from "./first-contact.ts";
 
 /** Degrees by which the first ball's path may pass a pocket to be drawn to it. */
 const CAPTURE = 30;
 
 export interface Snap {
-  readonly azimuth: number;
   readonly ball: string;
   readonly pocket: PocketName;
   readonly aim: PotAim;
 }
 
-/**
- * The pot within `zone` degrees of the azimuth; null if there is none.
- *
- * @param azimuth Where the cue would point without snapping, degrees.
- */
-export function magnet(shot: Shot, file: AimedShot, azimuth: number, zone: number): Snap | null {
+/** The direct pot within `zone` degrees of a simulated aim at `azimuth`, degrees; null if there is none. */
+export function magnet(trace: Trace, azimuth: number, zone: number): Snap | null {
+  const target = drawn(trace);
+  if (!target) return null;
   try {
-    const turned = turnedTo(shot, file, azimuth);
-    const trace = turned.simulate();
-    const target = drawn(trace);
-    const aim = target && turned.potAim(target.ball, target.pocket, { near: true });
-    trace.free();
-    turned.free();
-    if (!target || aim?.kind !== "direct") return null;
-    const snapped = azimuthOfAim(aim);
-    const away = Math.abs(((snapped - azimuth + 540) % 360) - 180);
-    return away <= zone ? { azimuth: snapped, ...target, aim } : null;
+    const aim = trace.shot.potAim(target.ball, target.pocket, { near: true });
+    const snaps = aim?.kind === "direct" && apart(azimuthOfAim(aim), azimuth) <= zone;
+    return snaps ? { ...target, aim } : null;
   } catch (error) {
     if (error instanceof CaromError) return null;
     throw error;
   }
+}
+
+/** The angle between two directions, degrees. */
+export function apart(a: number, b: number): number {
+  return Math.abs(((((a - b) % 360) + 540) % 360) - 180);
 }
 
 /** The first ball that the cue ball meets, and the pocket nearest to its path. */
@@ -53,8 +42,7 @@ export function drawn(trace: Trace): { readonly ball: string; readonly pocket: P
   const way = Math.atan2(velocity[1], velocity[0]);
   const passes = trace.shot.geometry.pockets.map(({ name, center: [x, y] }) => {
     const to = Math.atan2(y - position[1], x - position[0]);
-    const off = Math.abs(Math.atan2(Math.sin(to - way), Math.cos(to - way))) * (180 / Math.PI);
-    return { pocket: name, off };
+    return { pocket: name, off: apart(toDegrees(to), toDegrees(way)) };
   });
   const [nearest] = passes.sort((a, b) => a.off - b.off);
   return nearest && nearest.off < CAPTURE

@@ -1,9 +1,9 @@
 /** Aiming by turning the cue until it clicks into a pot. */
 
 import { wrap } from "../common/angles.ts";
-import { lockOf } from "../document/pot-lock.ts";
+import { azimuthOf } from "../document/strike-angles.ts";
 import type { Store } from "../document/store.ts";
-import { magnet } from "./magnet.ts";
+import { apart, magnet } from "./magnet.ts";
 import { t } from "../words/translate.ts";
 
 /** Whether a ball of the table may be potted: not the struck one. */
@@ -12,10 +12,17 @@ export function isObjectBall(store: Store, id: string | null): id is string {
   return id !== null && id !== strike.ball && balls.some((ball) => ball.id === id);
 }
 
-/** Turns the cue to `azimuth`, or into a pot within `zone` degrees of it. */
+/**
+ * Turns the cue to `azimuth`, or into a pot within `zone` degrees of it. The shot that is then shown is the
+ * only one that is simulated, except when the cue clicks into another pot.
+ */
 export function turnTo(store: Store, azimuth: number, zone: number, group: string): void {
-  const pocketed = store.shot.geometry.pockets.length > 0;
-  const snap = zone > 0 && pocketed ? magnet(store.shot, store.document.shot, azimuth, zone) : null;
-  store.strike({ azimuth_deg: snap ? snap.azimuth : wrap(azimuth) }, t("change.aim"), group);
-  if (snap) store.setSession({ lock: lockOf(snap.ball, snap.pocket, snap.aim) });
+  const { lock } = store.session;
+  const isInPot = lock?.solved === true && lock.kind === "direct";
+  if (isInPot && apart(azimuthOf(store.document.shot.strike), azimuth) <= zone) return;
+  if (!store.strike({ azimuth_deg: wrap(azimuth) }, t("change.aim"), group)) return;
+  const { trace } =
+    zone > 0 && store.shot.geometry.pockets.length > 0 ? store.ghost : { trace: null };
+  const snap = trace && magnet(trace, azimuth, zone);
+  if (snap) store.takeAim(snap.ball, snap.pocket, snap.aim, t("change.aim"), group);
 }

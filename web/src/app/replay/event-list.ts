@@ -7,7 +7,6 @@ import { momentsOf, seek } from "./replay-control.ts";
 import { mark } from "./event-looks.ts";
 import { latest } from "./event-moments.ts";
 import type { Show } from "./replay-state.ts";
-import { presentTurn } from "../common/seen.ts";
 import { ballName } from "../common/shot-words.ts";
 import { eventInWords } from "./replay-words.ts";
 import { decimal, t } from "../words/translate.ts";
@@ -42,7 +41,7 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
   );
   let shown: Trace | null = null;
   /** The turn of the picture as which rails and pockets are named. */
-  let named = presentTurn();
+  let named = store.session.turn;
   let filter: string | null = null;
   let current: readonly number[] = [];
   only.addEventListener("change", () => store.setSession({})); // notifies all listeners
@@ -71,7 +70,7 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
     const { id } = trace.shot.balls[ball]!;
     setText(onlyLabel, t("events.only", { ball: ballName(id) }));
     const wanted = only.checked ? id : null;
-    const turn = presentTurn();
+    const turn = store.session.turn;
     const isSame = trace === shown && turn === named;
     if (!isSame) fill(trace);
     const rows = body.rows;

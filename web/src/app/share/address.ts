@@ -3,7 +3,7 @@
 import { CaromError, type Engine, type Shot } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { detailedText, PageError } from "../common/refusals.ts";
-import { inSlicesUnlessReplaced, type Slices } from "../common/slices.ts";
+import type { Slices } from "../common/slices.ts";
 import type { Document, View } from "../document/document.ts";
 import { aimed, ballsOf } from "../document/shot-file.ts";
 import { treeEngine } from "../document/balls-after.ts";
@@ -200,7 +200,7 @@ export function mountAddress(store: Store, context: Context): void {
 /** Opens the text of a link. A damaged one changes nothing. */
 export async function openText(store: Store, context: Context, link: string): Promise<void> {
   try {
-    const contents = await inSlicesUnlessReplaced(readLink(context.engine, link));
+    const contents = await store.open(readLink(context.engine, link));
     if (contents) openLink(store, context, contents);
   } catch (error) {
     if (!(error instanceof LinkError)) throw error;

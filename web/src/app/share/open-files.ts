@@ -9,7 +9,6 @@ import { gameOfRecord } from "../game/game-record.ts";
 import { cannotOpen, readFile } from "../document/shot-file.ts";
 import type { Store } from "../document/store.ts";
 import { replay } from "../replay/replay-control.ts";
-import { inSlicesUnlessReplaced } from "../common/slices.ts";
 import { openText } from "./address.ts";
 import { linkIn } from "./link.ts";
 import { decimal, t } from "../words/translate.ts";
@@ -50,7 +49,7 @@ async function open(store: Store, engine: Engine, text: string): Promise<boolean
     if (isTreeText(text)) return await openTree(store, engine, text);
     const record = recordIn(text);
     if (record) {
-      const game = await inSlicesUnlessReplaced(gameOfRecord(engine, record));
+      const game = await store.open(gameOfRecord(engine, record));
       return game !== null && store.apply(game, t("change.open-record"));
     }
     const { shot, trace } = readFile(engine, text);

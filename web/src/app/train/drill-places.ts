@@ -1,6 +1,7 @@
 /** Places and areas of drills, in metres on a table. */
 
 import type { Engine, Geometry, Point } from "../../engine/index.ts";
+import { toRadians } from "../common/angles.ts";
 import type { Area, Diamonds, Place, Step } from "./drills/index.ts";
 
 /** What places are computed from. */
@@ -47,7 +48,7 @@ export function pointOf(cloth: Cloth, place: Place, balls: Step["balls"]): Point
   const pocket = cloth.geometry.pockets.find(({ name }) => name === place.pocket)!;
   const toPocket = Math.atan2(pocket.center[1] - ball[1], pocket.center[0] - ball[0]);
   const ghost = beyond(ball, toPocket, -2 * radius);
-  const aim = toPocket + ((place.cut_deg ?? 0) * Math.PI) / 180;
+  const aim = toPocket + toRadians(place.cut_deg ?? 0);
   return beyond(ghost, aim, -place.back * diamond[1]);
 }
 

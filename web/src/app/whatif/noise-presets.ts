@@ -1,10 +1,9 @@
 /** Presets of execution noise, and its standard deviations in the page's units. */
 
 import type { Engine, Noise } from "../../engine/index.ts";
+import { toRadians } from "../common/angles.ts";
 import { levelName } from "../common/preset-names.ts";
 import { type PlainKey, t } from "../words/translate.ts";
-
-const RADIANS = Math.PI / 180;
 
 export interface Preset {
   readonly name: string;
@@ -71,7 +70,7 @@ export const SIGMAS: readonly Sigma[] = [
     key: "azimuth",
     unit: "°",
     spoken: "unit.degrees",
-    scale: RADIANS,
+    scale: toRadians(1),
     max: 2,
     step: 0.005,
   },
@@ -79,7 +78,7 @@ export const SIGMAS: readonly Sigma[] = [
     key: "elevation",
     unit: "°",
     spoken: "unit.degrees",
-    scale: RADIANS,
+    scale: toRadians(1),
     max: 5,
     step: 0.01,
   },

@@ -1,6 +1,6 @@
 /** Camera poses, and the pose from which a table fills the picture. */
 
-import { type PerspectiveCamera, Vector3 } from "three";
+import { MathUtils, type PerspectiveCamera, Vector3 } from "three";
 
 /** A camera that looks at a point. */
 export interface Pose {
@@ -110,7 +110,7 @@ export function apply(pose: Pose, camera: PerspectiveCamera, radius: number): vo
   camera.up.copy(upward(azimuth, polar));
   camera.position.copy(target).addScaledVector(outward(azimuth, polar), distance);
   camera.lookAt(target);
-  camera.fov = (fov * 180) / Math.PI;
+  camera.fov = MathUtils.radToDeg(fov);
   camera.near = Math.max(0.04, distance - radius);
   // The user may move further away.
   camera.far = 3 * distance + radius;
@@ -142,7 +142,7 @@ export function poseOf(camera: PerspectiveCamera, target: Vector3): Pose {
     azimuth: Math.atan2(away.y, away.x),
     polar: Math.acos(Math.min(1, Math.max(-1, away.z / distance))),
     distance,
-    fov: (camera.fov * Math.PI) / 180,
+    fov: MathUtils.degToRad(camera.fov),
   };
 }
 

@@ -1,10 +1,10 @@
 /** Pockets and rails are named as the picture shows them. */
 
 import { afterEach, describe, expect, test } from "vitest";
-import { seenPocket, seenRail, setTurn, turnOf } from "../../../src/app/common/seen.ts";
+import { followTurn, seenPocket, seenRail, turnOf } from "../../../src/app/common/seen.ts";
 
 afterEach(() => {
-  setTurn(0);
+  followTurn(() => 0);
 });
 
 describe("the turn of the picture", () => {
@@ -25,7 +25,7 @@ describe("an upright table", () => {
 
 describe("a table that lies with its far end to the right", () => {
   test("has the far right pocket at the bottom right, and a side pocket at the top", () => {
-    setTurn(1);
+    followTurn(() => 1);
     expect(seenPocket("top-right")).toBe("bottom-right");
     expect(seenPocket("top-left")).toBe("top-right");
     expect(seenPocket("left")).toBe("top");
@@ -33,7 +33,7 @@ describe("a table that lies with its far end to the right", () => {
   });
 
   test("has the foot rail on the right, and the halves of a long rail left and right", () => {
-    setTurn(1);
+    followTurn(() => 1);
     expect(seenRail("top")).toBe("right");
     expect(seenRail("left")).toBe("top");
     expect(seenRail("left-lower")).toBe("top-left");
@@ -43,7 +43,7 @@ describe("a table that lies with its far end to the right", () => {
 
 describe("a table seen from its far end", () => {
   test("has all places on the other side", () => {
-    setTurn(2);
+    followTurn(() => 2);
     expect(seenPocket("top-right")).toBe("bottom-left");
     expect(seenRail("left-lower")).toBe("right-upper");
   });

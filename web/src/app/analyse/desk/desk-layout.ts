@@ -14,9 +14,10 @@ import type {
   Trace,
 } from "../../../engine/index.ts";
 import { STRIDE } from "../../../engine/types.ts";
+import { toRadians } from "../../common/angles.ts";
 
 /** Cuts beyond this are not tried, rad: 75°. */
-const THINNEST = (75 * Math.PI) / 180;
+const THINNEST = toRadians(75);
 
 /** A shot file with a strike. */
 export type Layout = ShotFile & { readonly strike: NonNullable<ShotFile["strike"]> };

@@ -2,24 +2,18 @@
 
 import type { Trace, TraceEvent } from "../../../engine/index.ts";
 import type { BallPath } from "../../../viewer/index.ts";
+import { VERTEX } from "../../../viewer/viewer-types.ts";
+import { firstMeeting } from "../../pot/first-contact.ts";
 
 /** Length of a path behind the first contact, m: it shows a direction, and not how far the ball runs. */
 const STUB = 0.2;
 
-/** Numbers of a vertex of a path: x, y, z (m) and t (s). */
-const VERTEX = 4;
+/** Events that turn a ball; a hop on the slate does not. */
+const MEETINGS = ["ball-collision", "rail-collision", "pocket-collision"] as const;
 
-/** The first contact of the struck ball with a ball or a cushion; null if it meets neither. */
-export function firstMeeting({ shot, events }: Trace): TraceEvent | null {
-  const cue = shot.struck === null ? undefined : shot.balls[shot.struck]?.id;
-  if (cue === undefined) return null;
-  const meets = ({ type, balls }: TraceEvent) =>
-    balls.includes(cue) &&
-    (type === "rail-collision" ||
-      type === "pocket-collision" ||
-      // A strike moves the balls that touch the cue ball at once.
-      (balls.length > 1 && (type === "ball-collision" || type === "cue-strike")));
-  return events.find(meets) ?? null;
+/** The end of the aim line: the first ball or cushion that the struck ball meets; null if it meets none. */
+export function endOfAimLine(trace: Trace): TraceEvent | null {
+  return firstMeeting(trace, "cue-strike", ...MEETINGS)?.event ?? null;
 }
 
 /**
@@ -31,7 +25,7 @@ export function firstMeeting({ shot, events }: Trace): TraceEvent | null {
 export function shortPaths(trace: Trace, tolerance: number): BallPath[] {
   const { struck, balls } = trace.shot;
   if (struck === null) return [];
-  const meeting = firstMeeting(trace);
+  const meeting = endOfAimLine(trace);
   // Of a rack that is hit, only the line to it is shown.
   const pair = meeting && meeting.balls.length <= 2 ? meeting.balls : [];
   const met = pair.map((id) => balls.findIndex((ball) => ball.id === id));
@@ -46,17 +40,11 @@ export function shortPaths(trace: Trace, tolerance: number): BallPath[] {
 /** The time at which a ball next meets something after its first contact, s. */
 function nextEvent({ events, duration }: Trace, id: string, meeting: TraceEvent): number {
   const next = events.find(
-    ({ type, time, balls }) => time > meeting.time && balls.includes(id) && MEETINGS.has(type),
+    ({ type, time, balls }) =>
+      time > meeting.time && balls.includes(id) && MEETINGS.some((meets) => meets === type),
   );
   return next?.time ?? duration;
 }
-
-/** Events that turn a ball; a hop on the slate does not. */
-const MEETINGS: ReadonlySet<TraceEvent["type"]> = new Set([
-  "ball-collision",
-  "rail-collision",
-  "pocket-collision",
-]);
 
 /** A path up to the time `from`, and then at most `STUB` further and not beyond the time `until`, s. */
 function shortened(points: Float64Array, from: number, until: number): Float64Array {

@@ -1,0 +1,96 @@
+/** Drags on the table: the cue turns, a ball moves, or the place where the cue ball stops. */
+
+import type { Point } from "../../engine/index.ts";
+import { dragStop } from "../analyse/stop-handle.ts";
+import { sweep, toDegrees } from "../common/angles.ts";
+import { ballName } from "../common/shot-words.ts";
+import { azimuthOf } from "../document/strike-angles.ts";
+import { FINE } from "../document/strike-changes.ts";
+import { dragBall, isBeside } from "../layout/ball-drag.ts";
+import { turnTo } from "../pot/turn-to-pot.ts";
+import { t } from "../words/translate.ts";
+import type { BallDrag, CueDrag, GestureState, Pointer } from "./gesture-state.ts";
+
+/** Degrees that the cue turns per pixel of a drag, with the camera behind the cue. */
+const DEGREES_PER_PIXEL = 0.1;
+
+/** Pixels on either side of a pot from which the cue clicks into it, and the most degrees. */
+const SNAP_PIXELS = 7;
+const WIDEST_SNAP = 2.5;
+
+/** Pixels between the two points that measure the scale of the picture. */
+const BESIDE = 8;
+
+/** Turns the cue by as much as the pointer turns around the struck ball. */
+export function turnCue(state: GestureState, drag: CueDrag, event: Pointer): void {
+  const { store } = state;
+  const { point } = state.pick(event);
+  const { last } = drag;
+  drag.last = { x: event.clientX, y: event.clientY, point };
+  const { struck, balls } = store.shot;
+  if (struck === null) return;
+  const [x, y] = balls[struck]!.position;
+  const swept =
+    store.view.camera === "cue"
+      ? (last.x - event.clientX) * DEGREES_PER_PIXEL
+      : last.point && point
+        ? sweep([x, y], last.point, point)
+        : 0;
+  if (swept === 0) return;
+  const fine = store.session.fine || event.shiftKey;
+  drag.azimuth =
+    (drag.azimuth ?? azimuthOf(store.document.shot.strike)) + swept * (fine ? FINE : 1);
+  // Fine adjustment is for places beside the middle of a pocket.
+  const zone = fine ? 0 : SNAP_PIXELS * degreesPerPixel(state, event, [x, y], point);
+  turnTo(store, drag.azimuth, Math.min(zone, WIDEST_SNAP), drag.group);
+}
+
+/** Degrees by which a drag of one pixel turns the cue. */
+function degreesPerPixel(
+  { store, context }: GestureState,
+  event: Pointer,
+  center: Point,
+  point: Point | null,
+): number {
+  if (store.view.camera === "cue") return DEGREES_PER_PIXEL;
+  const beside = context.viewer.pick(event.clientX + BESIDE, event.clientY).point;
+  if (!point || !beside) return 0;
+  const perPixel = Math.hypot(beside[0] - point[0], beside[1] - point[1]) / BESIDE;
+  const radius = Math.hypot(point[0] - center[0], point[1] - center[1]);
+  return radius > 0 ? toDegrees(perPixel / radius) : 0;
+}
+
+/** Moves the held ball, or marks that a release would put it away. */
+export function moveBall(state: GestureState, drag: BallDrag, event: Pointer): void {
+  const { store, surface } = state;
+  const { point } = state.pick(event);
+  if (!point) return;
+  surface.dataset.drag = "ball";
+  const { id } = store.shot.balls[drag.held]!;
+  if (isAway(state, event)) {
+    if (surface.dataset.away === undefined) {
+      state.context.announce(t("layout.let-go", { ball: ballName(id) }));
+    }
+    surface.dataset.away = "";
+    return;
+  }
+  delete surface.dataset.away;
+  const position: Point = [point[0] + drag.grip[0], point[1] + drag.grip[1]];
+  store.setSession({ selected: id });
+  const free = store.session.fine || event.shiftKey;
+  dragBall(store, id, position, drag.group, { free, target: drag.target });
+}
+
+/** Whether the pointer is beside the table, where a ball goes back to the tray. */
+export function isAway(state: GestureState, event: Pointer): boolean {
+  if (state.store.document.game) return false;
+  const { point } = state.pick(event);
+  const isOpen = state.surface.isOpen(event.clientX, event.clientY);
+  return !isOpen || (point !== null && isBeside(state.store, point));
+}
+
+/** Moves the place where the cue ball stops. */
+export function moveStop(state: GestureState, event: Pointer): void {
+  const { point } = state.pick(event);
+  if (point) dragStop(state.store, point);
+}
