@@ -81,12 +81,12 @@ export class Scene {
     if (now.view.camera !== before?.view.camera) {
       this.#viewer.setCamera(now.view.camera, before === null);
     }
-    const replayed = now.session.mode === "replay" ? now.session.trace : null;
-    const shot = (replayed ?? now.session.preview?.trace)?.shot ?? this.#store.shot;
+    const replayed = now.session.mode === "replay" ? now.session.replay.trace : null;
+    const shot = (replayed ?? now.session.analysis.preview?.trace)?.shot ?? this.#store.shot;
     this.#viewer.setTable(shot.geometry, shot.balls);
     if (replayed) this.#replay(replayed, now.session);
     else this.#aim(now);
-    const zone = replayed ? null : now.session.zone;
+    const zone = replayed ? null : now.session.analysis.zone;
     if (zone !== this.#zone) {
       this.#zone = zone;
       this.#viewer.setZone(zone);
@@ -96,7 +96,7 @@ export class Scene {
     this.stats.sceneMs = performance.now() - start;
   }
 
-  #replay(trace: Trace, { time, stroke }: Session): void {
+  #replay(trace: Trace, { replay: { time, stroke } }: Session): void {
     this.#setBalls(trace.statesAt(time, this.#buffer(trace.shot.balls.length)));
     this.#setPaths(trace, "trace");
     this.#viewer.setTime(time);
@@ -107,7 +107,7 @@ export class Scene {
   }
 
   #aim({ document, session }: State): void {
-    const { preview } = session;
+    const { preview } = session.analysis;
     const shot = preview?.trace?.shot ?? this.#store.shot;
     const aims = canAim(this.#store, this.#engine);
     const guide = shownGuide({ document, session });
@@ -123,7 +123,7 @@ export class Scene {
     if (refused) states.set(refused.position, refused.index * STRIDE);
     this.#setBalls(states);
     this.#viewer.setTime(null);
-    this.#setPaths(trace, guide, session.guides && guide === "full");
+    this.#setPaths(trace, guide, session.guides.contact && guide === "full");
     this.#viewer.setCue(aims && shot.struck !== null ? pose(shot.strike!, shot.struck) : null);
     this.#viewer.setMarks([
       ...(trace ? marks(trace, guide) : []),

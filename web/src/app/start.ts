@@ -81,7 +81,7 @@ async function fromLink(
     const { document, view, time } = contents;
     const begin = (store: Store) => {
       // A link may be opened anywhere; what was kept was here before.
-      if (read === readAddress || wasSilent()) store.setSession({ sound: false });
+      if (read === readAddress || wasSilent()) store.setPart("replay", { sound: false });
       showTime(store, engine, time);
     };
     return { document, view, welcome: false, begin };

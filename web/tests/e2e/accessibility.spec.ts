@@ -141,7 +141,7 @@ test("what if, replay and sharing work by keyboard alone", async ({ open }) => {
   await onto(/^Time$/, "End");
   expect(
     await page.evaluate(() => {
-      const { time, trace } = window.carom!.store.session;
+      const { time, trace } = window.carom!.store.session.replay;
       return trace!.duration - time;
     }),
   ).toBe(0);
@@ -154,7 +154,11 @@ test("with reduced motion the end of the shot is shown at once", async ({ open }
   await page.getByRole("button", { name: "Shoot" }).click();
   const { time, duration, playing } = await page.evaluate(() => {
     const { session } = window.carom!.store;
-    return { time: session.time, duration: session.trace!.duration, playing: session.playing };
+    return {
+      time: session.replay.time,
+      duration: session.replay.trace!.duration,
+      playing: session.replay.playing,
+    };
   });
   expect([time, playing]).toEqual([duration, false]);
 });

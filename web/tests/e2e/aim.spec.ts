@@ -120,7 +120,7 @@ test("the played shot has the native engine's final positions and hash, to the b
   await page.getByLabel("Side in tips").press("Enter");
   await page.getByRole("button", { name: "Shoot" }).click();
   const ours = await page.evaluate(() => {
-    const trace = window.carom!.store.session.trace!;
+    const trace = window.carom!.store.session.replay.trace!;
     return { json: trace.json(), hash: trace.hash };
   });
   const shot = await shotOf(page);

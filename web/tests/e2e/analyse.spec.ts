@@ -17,7 +17,7 @@ async function openLines(page: Page): Promise<void> {
 
 /** The strike of the shot whose paths are shown; null without a preview. */
 const previewed = (page: Page) =>
-  page.evaluate(() => window.carom!.store.session.preview?.trace?.shot.strike ?? null);
+  page.evaluate(() => window.carom!.store.session.analysis.preview?.trace?.shot.strike ?? null);
 
 for (const [name, viewport] of [
   ["desktop", WIDE],
@@ -212,10 +212,12 @@ test("the zone for the next ball and a plan of three balls are shown", async ({ 
     .locator("#zone-status")
     .filter({ hasText: /ball 1 falls in about \d+ %/ })
     .waitFor();
-  expect(await page.evaluate(() => window.carom!.store.session.zone?.values.length)).toBe(288);
+  expect(await page.evaluate(() => window.carom!.store.session.analysis.zone?.values.length)).toBe(
+    288,
+  );
   await picture(page, "zone");
   await next.selectOption("");
-  expect(await page.evaluate(() => window.carom!.store.session.zone)).toBeNull();
+  expect(await page.evaluate(() => window.carom!.store.session.analysis.zone)).toBeNull();
 
   await page.locator("#plan").click();
   await page.locator("#plan-legs[data-done=true]").waitFor();

@@ -41,7 +41,8 @@ test("a page written by carom --html replays its shot from disk, without a netwo
   const page = await open({ url: address("a b.html"), offline: true });
   expect(await page.title()).toBe("nine-ball break · carom");
   const shown = await page.evaluate(() => {
-    const { mode, trace } = window.carom!.store.session;
+    const { mode, replay } = window.carom!.store.session;
+    const { trace } = replay;
     return { mode, hash: trace?.hash, again: trace?.shot.simulate().hash };
   });
   expect(shown).toEqual({ mode: "replay", hash: native.hash, again: native.hash });
@@ -82,7 +83,7 @@ print(trace._repr_html_())
     { timeout: STARTING },
   );
   await inside.getByRole("button", { name: "Play", exact: true }).click();
-  await inside.waitForFunction(() => window.carom!.store.session.time > 0.5);
+  await inside.waitForFunction(() => window.carom!.store.session.replay.time > 0.5);
   const reached = await inside.evaluate(() => {
     try {
       return window.parent.document.body.textContent;
@@ -177,7 +178,7 @@ open(sys.argv[1], "w", encoding="utf-8").write(page)
     timeout: STARTING,
   });
   const trace = await inside.evaluate(() => {
-    const { trace, playing } = window.carom!.store.session;
+    const { trace, playing } = window.carom!.store.session.replay;
     return { playing, balls: trace!.shot.balls.length };
   });
   expect(trace.playing).toBe(true);

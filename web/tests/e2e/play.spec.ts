@@ -77,7 +77,8 @@ for (const [name, viewport, colorScheme] of [
     expect(Date.now() - shown).toBeGreaterThan(1000);
     await page.evaluate(() => {
       const { store } = window.carom!;
-      if (store.session.mode === "replay") store.setSession({ mode: "aim", trace: null });
+      if (store.session.mode === "replay")
+        store.setSession({ mode: "aim", replay: { ...store.session.replay, trace: null } });
     });
     expect(await ruling.innerText()).not.toContain("Ann");
   });
@@ -253,7 +254,7 @@ for (const [name, viewport] of [
     await begin(page);
     for (let k = 0; k < 3; k += 1) await foul(page);
     const game = () => page.evaluate(() => JSON.stringify(window.carom!.store.document.game));
-    const hash = () => page.evaluate(() => window.carom!.store.session.trace!.hash);
+    const hash = () => page.evaluate(() => window.carom!.store.session.replay.trace!.hash);
     const before = await game();
     if (!(await page.locator("#panel-game").isVisible())) {
       await page.getByRole("tab", { name: "Game" }).click();
@@ -355,7 +356,7 @@ test("two friends play by links: each page lets its player move only", async ({ 
   const other = await open({ hash: new URL(sent).hash, viewport: PHONE, reducedMotion: "reduce" });
   // The link opens at the start of the last shot's replay.
   expect(await bar(other)).toMatch(/Shot 1 of 1, Ann/);
-  expect(await other.evaluate(() => window.carom!.store.session.time)).toBe(0);
+  expect(await other.evaluate(() => window.carom!.store.session.replay.time)).toBe(0);
   await other.keyboard.press("Escape");
   expect(await bar(other)).toMatch(/Bea, your move/);
   expect(await violations(other)).toEqual([]);

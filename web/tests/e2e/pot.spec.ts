@@ -47,7 +47,7 @@ for (const viewport of [PHONE, { width: 1280, height: 800 }]) {
     );
     const shoot = page.getByRole("button", { name: "Shoot" });
     await (isPhone ? shoot.tap() : shoot.click());
-    const outcome = await page.evaluate(() => window.carom!.store.session.trace!.outcome);
+    const outcome = await page.evaluate(() => window.carom!.store.session.replay.trace!.outcome);
     expect(outcome.pocketed).toEqual([["9", "top-right"]]);
   });
 }

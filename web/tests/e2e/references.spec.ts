@@ -27,7 +27,7 @@ async function replayFromTheSide(page: Page): Promise<void> {
   await page.evaluate(() => {
     const { store } = window.carom!;
     store.setView({ camera: "orbit" });
-    store.setSession({ time: 1, playing: false });
+    store.setPart("replay", { time: 1, playing: false });
   });
 }
 

@@ -2,8 +2,8 @@ import type { Page } from "playwright-core";
 import { expect, native, picture, settled, shotOf, SMALL, test } from "./fixture.ts";
 
 /** The present time of the replay, s. */
-const time = (page: Page) => page.evaluate(() => window.carom!.store.session.time);
-const playing = (page: Page) => page.evaluate(() => window.carom!.store.session.playing);
+const time = (page: Page) => page.evaluate(() => window.carom!.store.session.replay.time);
+const playing = (page: Page) => page.evaluate(() => window.carom!.store.session.replay.playing);
 
 async function shoot(page: Page): Promise<void> {
   await page.getByRole("button", { name: "Shoot" }).click();
@@ -20,11 +20,13 @@ test("a shot plays to its end, and its states are the native engine's", async ({
   await shoot(page);
   expect(await playing(page)).toBe(true);
   const trace = native(await shotOf(page));
-  await page.waitForFunction(() => !window.carom!.store.session.playing, null, { timeout: 30_000 });
+  await page.waitForFunction(() => !window.carom!.store.session.replay.playing, null, {
+    timeout: 30_000,
+  });
   expect(await time(page)).toBe(trace.duration);
   expect(await page.locator("#hash").textContent()).toBe(trace.hash);
   const positions = await page.evaluate(() => {
-    const { trace, time } = window.carom!.store.session;
+    const { trace, time } = window.carom!.store.session.replay;
     const states = [...trace!.statesAt(time)];
     const stride = states.length / trace!.shot.balls.length;
     return trace!.shot.balls.map((_, ball) => states.slice(stride * ball, stride * ball + 3));
@@ -41,12 +43,12 @@ test("slow motion runs at the chosen fraction of wall time", async ({ open }) =>
     const frame = () => new Promise(requestAnimationFrame);
     const run = async (): Promise<number> => {
       await frame();
-      const [wall, shot] = [performance.now(), store.session.time];
+      const [wall, shot] = [performance.now(), store.session.replay.time];
       while (performance.now() - wall < 500) await frame();
-      return (store.session.time - shot) / ((performance.now() - wall) / 1000);
+      return (store.session.replay.time - shot) / ((performance.now() - wall) / 1000);
     };
     const slow = await run();
-    store.setSession({ rate: 1 });
+    store.setPart("replay", { rate: 1 });
     return { whole: await run(), slow };
   });
   // A busy machine drops frames, which shortens both.
@@ -167,7 +169,7 @@ test("a picture that restores a part of the table equals one that is drawn as a 
   };
   const pictures = new Set<string>();
   for (const time of [0, 0.4, 0.8, 1.3, 1.2]) {
-    await page.evaluate((at) => window.carom!.store.setSession({ time: at }), time);
+    await page.evaluate((at) => window.carom!.store.setPart("replay", { time: at }), time);
     const restored = await pixels(1);
     // Another size makes the viewer draw everything again.
     await pixels(0.5);

@@ -83,7 +83,8 @@ test("a link made during a replay opens at the same time of the replay", async (
   const other = await open({ url: await copied(page, "Copy link") });
   const session = (p: Page) =>
     p.evaluate(() => {
-      const { mode, time, playing } = window.carom!.store.session;
+      const { mode, replay } = window.carom!.store.session;
+      const { time, playing } = replay;
       return { mode, time, playing };
     });
   expect(await session(other)).toEqual(await session(page));

@@ -27,9 +27,9 @@ test("a replay sounds, until the sound is switched off", async ({ open }) => {
   const before = await page.evaluate(heard);
   await page.evaluate(() => {
     const { store } = window.carom!;
-    store.setSession({ time: 0, playing: true });
+    store.setPart("replay", { time: 0, playing: true });
   });
-  await page.waitForFunction(() => window.carom!.store.session.time > 1);
+  await page.waitForFunction(() => window.carom!.store.session.replay.time > 1);
   expect(await page.evaluate(heard)).toBe(before);
   await page.keyboard.press("m");
   await settled(page);
@@ -42,7 +42,7 @@ test("a shared link opens without sound", async ({ open }) => {
   await page.waitForFunction(() => location.hash.length > 1);
   const hash = await page.evaluate(() => location.hash);
   const linked = await open({ hash });
-  expect(await linked.evaluate(() => window.carom!.store.session.sound)).toBe(false);
+  expect(await linked.evaluate(() => window.carom!.store.session.replay.sound)).toBe(false);
 });
 
 test("sound that is switched off stays off after a reload, and in the next visit", async ({
@@ -50,7 +50,7 @@ test("sound that is switched off stays off after a reload, and in the next visit
 }) => {
   // Seen: a page that was silenced sounded again once it was loaded again.
   const page = await open({ locale: "en-CA" });
-  const sounds = () => page.evaluate(() => window.carom!.store.session.sound);
+  const sounds = () => page.evaluate(() => window.carom!.store.session.replay.sound);
   const load = async (go: () => Promise<unknown>) => {
     await go();
     await page.waitForFunction(
@@ -83,5 +83,5 @@ test("a shared link is still silent after a reload", async ({ open }) => {
     () => performance.getEntriesByName("carom:interactive").length > 0,
     undefined,
   );
-  expect(await linked.evaluate(() => window.carom!.store.session.sound)).toBe(false);
+  expect(await linked.evaluate(() => window.carom!.store.session.replay.sound)).toBe(false);
 });

@@ -219,7 +219,7 @@ test("a shot with the errors of a level differs from the aim, and from the next 
   const aimed = await page.evaluate(() => window.carom!.store.ghost.trace!.hash);
   for (let k = 0; k < 3; k += 1) {
     await page.getByRole("button", { name: "Shoot" }).click();
-    hashes.add(await page.evaluate(() => window.carom!.store.session.trace!.hash));
+    hashes.add(await page.evaluate(() => window.carom!.store.session.replay.trace!.hash));
     await page.waitForFunction(() => window.carom!.store.session.mode === "aim");
   }
   expect(hashes.size).toBe(3);

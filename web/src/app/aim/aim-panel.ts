@@ -43,13 +43,16 @@ export function mountAimPanel(root: HTMLElement, store: Store, context: Context)
 
 /** The switches of the tangent line with the natural angle, and of the diamond systems. */
 function mountGuides(root: HTMLElement, store: Store): void {
-  for (const key of ["guides", "diamonds"] as const) {
+  for (const [key, shown] of [
+    ["guides", "contact"],
+    ["diamonds", "diamonds"],
+  ] as const) {
     const box = h("input", { type: "checkbox", id: uniqueId(key), role: "switch" });
     box.addEventListener("change", () => {
-      store.setSession({ [key]: box.checked });
+      store.setPart("guides", { [shown]: box.checked });
     });
     store.subscribe(({ session }) => {
-      box.checked = session[key];
+      box.checked = session.guides[shown];
     });
     root.append(
       h("div", { class: "switch row" }, box, h("label", { for: box.id }, t(`aim.${key}`))),

@@ -28,9 +28,13 @@ export function playThenAim(store: Store, context: Context, trace: Trace): void 
   let resting: ReturnType<typeof setTimeout> | undefined;
   replay(store, trace);
   const unsubscribe = store.subscribe(({ session }) => {
-    const ended = session.trace === trace && !session.playing && session.time >= trace.duration;
+    const ended =
+      session.replay.trace === trace &&
+      !session.replay.playing &&
+      session.replay.time >= trace.duration;
     if (ended) resting ??= setTimeout(finish, REST);
-    else if (session.trace !== trace || !session.playing || resting !== undefined) stop();
+    else if (session.replay.trace !== trace || !session.replay.playing || resting !== undefined)
+      stop();
   });
   function stop(): void {
     clearTimeout(resting);

@@ -63,7 +63,7 @@ const kept = new WeakMap<Store, Document>();
 
 /** Makes the end of the replayed shot the new layout. */
 export function takeItFromHere(store: Store, context: Context): void {
-  const { trace } = store.session;
+  const { trace } = store.session.replay;
   if (!trace || store.document.game) return;
   const { shot } = store.document;
   const balls = ballsAfter(trace, shot);

@@ -65,8 +65,8 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
   const next = h("section", { "aria-label": t("next.title") });
   root.append(next);
   mountNext(next, store, context);
-  rules.addEventListener("change", () => store.setSession({ rules: rules.value }));
-  level.addEventListener("change", () => store.setSession({ level: level.value }));
+  rules.addEventListener("change", () => store.setPart("analysis", { rules: rules.value }));
+  level.addEventListener("change", () => store.setPart("analysis", { level: level.value }));
 
   const desk = new Desk(() => new DeskWorker(), engine);
   /** Chances of pots, by their plays. */
@@ -234,7 +234,7 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
     own.hidden = noise === null;
     levelRow.hidden = noise !== null;
     rulesRow.hidden = inGame;
-    level.value = store.session.level;
+    level.value = store.session.analysis.level;
     const games = position?.games ?? [];
     if (rules.dataset.games !== games.join()) {
       rules.dataset.games = games.join();
@@ -265,8 +265,8 @@ function matters(
     now.noise !== before.noise ||
     now.game?.moves !== before.game?.moves ||
     session.mode !== earlier.mode ||
-    session.level !== earlier.level ||
-    session.rules !== earlier.rules
+    session.analysis.level !== earlier.analysis.level ||
+    session.analysis.rules !== earlier.analysis.rules
   );
 }
 

@@ -24,7 +24,7 @@ export interface Position {
 
 /** The errors of the analysis: the document's, or else those of the chosen level. */
 export function noiseOf(engine: Pick<Engine, "noisePresets">, { document, session }: State): Noise {
-  return document.noise ?? engine.noisePresets[session.level] ?? engine.noisePresets.club!;
+  return document.noise ?? engine.noisePresets[session.analysis.level] ?? engine.noisePresets.club!;
 }
 
 /** The last answer of `gamesFor`: a drag changes the places of the balls, and not their names. */
@@ -82,7 +82,7 @@ export function positionOf(store: Store, engine: Engine): Position | null {
     return { key, rules, games: [rules], noise, record: progress.frame.record };
   }
   const games = gamesFor(engine, store.shot);
-  const rules = games.find((name) => name === session.rules) ?? games[0];
+  const rules = games.find((name) => name === session.analysis.rules) ?? games[0];
   if (rules === undefined) return null;
   const { strike, ...layout } = document.shot;
   const frame = frameOf(engine, rules, store.shot);

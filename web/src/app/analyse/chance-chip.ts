@@ -56,7 +56,7 @@ export function mountChip(
     const { noise } = store.document;
     const name = noise
       ? (presetOf(noise, known)?.name ?? t("chip.own"))
-      : levelName(store.session.level);
+      : levelName(store.session.analysis.level);
     desk.ask(question.job, {
       part: ({ met, count }) => {
         if (count < COUNT) return;
@@ -82,7 +82,7 @@ function matters(now: State, before: State): boolean {
     now.document !== before.document ||
     now.session.mode !== before.session.mode ||
     now.session.activity !== before.session.activity ||
-    now.session.level !== before.session.level ||
+    now.session.analysis.level !== before.session.analysis.level ||
     now.session.turn !== before.session.turn ||
     now.session.lock !== before.session.lock
   );

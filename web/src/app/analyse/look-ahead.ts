@@ -53,7 +53,7 @@ function mountZone(root: HTMLElement, store: Store, context: Context): void {
     const isShown = next !== "" && store.session.activity === "analyse";
     if (!isShown || store.session.mode === "replay") {
       desk.cancel();
-      if (!isShown && store.session.zone) store.setSession({ zone: null });
+      if (!isShown && store.session.analysis.zone) store.setPart("analysis", { zone: null });
       setText(status, isShown ? status.textContent : t("next.hint"));
       return;
     }
@@ -70,7 +70,7 @@ function mountZone(root: HTMLElement, store: Store, context: Context): void {
         {
           part: ({ columns, rows, values, share }) => {
             // The colours show square roots, which are for counts: fourth powers make good places stand out.
-            store.setSession({
+            store.setPart("analysis", {
               zone: { columns, rows, values: values.map((value) => value ** 4) },
             });
             const best = Math.max(...values);
@@ -96,7 +96,7 @@ function mountZone(root: HTMLElement, store: Store, context: Context): void {
   store.subscribe((now, before) => {
     const isSame =
       now.document === before.document &&
-      now.session.level === before.session.level &&
+      now.session.analysis.level === before.session.analysis.level &&
       now.session.activity === before.session.activity &&
       now.session.mode === before.session.mode;
     if (!isSame) follow();
@@ -255,7 +255,7 @@ function mountPlan(root: HTMLElement, store: Store, context: Context): void {
       now.document.shot.balls === before.document.shot.balls &&
       now.document.game === before.document.game &&
       now.document.noise === before.document.noise &&
-      now.session.level === before.session.level;
+      now.session.analysis.level === before.session.analysis.level;
     if (!isSame) clear();
   });
   clear();

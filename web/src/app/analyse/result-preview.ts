@@ -26,7 +26,7 @@ export function showAreas(store: Store, areas: readonly Area[]): void {
 
 /** Shows the aimed shot alone. */
 export function hidePreview(store: Store): void {
-  if (store.session.preview) store.setSession({ preview: null });
+  if (store.session.analysis.preview) store.setPart("analysis", { preview: null });
   shown?.free();
   shown = null;
 }
@@ -34,6 +34,6 @@ export function hidePreview(store: Store): void {
 function replace(store: Store, trace: Trace | null, areas: readonly Area[]): void {
   const before = shown;
   shown = trace;
-  store.setSession({ preview: { trace, areas } });
+  store.setPart("analysis", { preview: { trace, areas } });
   before?.free();
 }

@@ -261,7 +261,7 @@ export function mountTree(
     const isTurned = now.session.turn !== before.session.turn;
     if (is.tree !== was.tree || is.study !== was.study || isTurned) show();
     else if (
-      now.session.level !== before.session.level ||
+      now.session.analysis.level !== before.session.analysis.level ||
       now.document.noise !== before.document.noise
     )
       drawCurve();

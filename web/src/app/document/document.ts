@@ -92,11 +92,9 @@ export interface Attempt {
   readonly seed: number;
 }
 
-/** Temporary state: neither undone nor part of a link. */
-export interface Session {
-  readonly activity: Activity;
-  readonly mode: "aim" | "replay";
-  /** The shot that is replayed; null while aiming. */
+/** The shot that is replayed, and how. */
+export interface Replay {
+  /** Null while aiming. */
   readonly trace: Trace | null;
   /** Seconds of wall time until the cue strikes the ball; 0 from then on. */
   readonly stroke: number;
@@ -105,27 +103,43 @@ export interface Session {
   readonly playing: boolean;
   /** Seconds of the replay per second of wall time. */
   readonly rate: number;
+  readonly sound: boolean;
+}
+
+/** What the analysis asks and shows. */
+export interface Analysis {
+  /** Level of play, a preset of noise, unless the document has a noise. */
+  readonly level: string;
+  /** The game in which a free layout is valued; null: the one that fits it best. */
+  readonly rules: string | null;
+  readonly preview: Preview | null;
+  /** Chances over the cloth, such as those of the next ball; null: none are shown. */
+  readonly zone: Density | null;
+}
+
+/** Lines to aim by. */
+export interface Guides {
+  /** The tangent line and the natural angle of the first contact. */
+  readonly contact: boolean;
+  /** The numbers of a diamond system. */
+  readonly diamonds: boolean;
+}
+
+/** Temporary state: neither undone nor part of a link. */
+export interface Session {
+  readonly activity: Activity;
+  readonly mode: "aim" | "replay";
+  readonly replay: Replay;
+  readonly analysis: Analysis;
+  readonly guides: Guides;
   /** Id of the selected ball. */
   readonly selected: string | null;
   /** The pot at which the cue is aimed; null if it is aimed freely. */
   readonly lock: PotLock | null;
   readonly refusal: Refusal | null;
   readonly attempt: Attempt | null;
-  /** Whether replays sound. */
-  readonly sound: boolean;
   /** How the picture shows the table; names of pockets and rails depend on it. */
   readonly turn: Turn;
-  readonly preview: Preview | null;
-  /** Chances over the cloth, such as those of the next ball; null: none are shown. */
-  readonly zone: Density | null;
-  /** Level of play of the analysis, a preset of noise, unless the document has a noise. */
-  readonly level: string;
-  /** The game in which the analysis values a free layout; null: the one that fits it best. */
-  readonly rules: string | null;
-  /** Whether the tangent line and the natural angle are drawn. */
-  readonly guides: boolean;
-  /** Whether the numbers of a diamond system are drawn. */
-  readonly diamonds: boolean;
   /** Fine adjustment: drags and keys have a tenth of their effect. */
   readonly fine: boolean;
 }
@@ -135,22 +149,13 @@ export const FIRST_VIEW: View = { theme: "auto", camera: "top", units: "m/s" };
 export const FIRST_SESSION: Session = {
   activity: "analyse",
   mode: "aim",
-  trace: null,
-  stroke: 0,
-  time: 0,
-  playing: false,
-  rate: 1,
+  replay: { trace: null, stroke: 0, time: 0, playing: false, rate: 1, sound: true },
+  analysis: { level: "club", rules: null, preview: null, zone: null },
+  guides: { contact: false, diamonds: false },
   selected: null,
   lock: null,
   refusal: null,
   attempt: null,
-  sound: true,
   turn: 0,
-  preview: null,
-  zone: null,
-  level: "club",
-  rules: null,
-  guides: false,
-  diamonds: false,
   fine: false,
 };

@@ -150,7 +150,7 @@ export class Store {
       return false;
     }
     keep(next);
-    this.#session = { ...this.#session, ...AIMING, lock, refusal: null };
+    this.#session = { ...aiming(this.#session), lock };
     this.#notify(before);
     if (next.shot !== before.document.shot) this.#solve();
     return true;
@@ -240,6 +240,14 @@ export class Store {
     this.#notify(before);
   }
 
+  /** Changes a part of the session. */
+  setPart<Part extends "replay" | "analysis" | "guides">(
+    part: Part,
+    patch: Partial<Session[Part]>,
+  ): void {
+    this.setSession({ [part]: { ...this.#session[part], ...patch } });
+  }
+
   /** Reads what the user opens; null if the user has opened something else meanwhile. */
   open<T>(slices: Slices<T>): Promise<T | null> {
     this.#opening?.return(null);
@@ -298,7 +306,7 @@ export class Store {
     // The garbage collector does not see WebAssembly's memory, and each frame may make a ghost.
     // A ghost that is being replayed is kept; the session still uses it.
     const ghost = this.#ghost?.trace;
-    if (ghost && ghost !== this.#session.trace) ghost.free();
+    if (ghost && ghost !== this.#session.replay.trace) ghost.free();
     this.#shot.free();
     this.#shot = shot;
     this.#ghost = null;
@@ -309,7 +317,7 @@ export class Store {
     if (!step()) return false;
     const now = this.document;
     if (isOtherShot(now, before.document)) this.#adopt(this.#compiler.shot(now.shot, now.game));
-    this.#session = { ...this.#session, ...AIMING, lock: null, refusal: null };
+    this.#session = { ...aiming(this.#session), lock: null };
     this.#notify(before);
     return true;
   }
@@ -321,14 +329,11 @@ export class Store {
 }
 
 /** The session after a change: a replay would show the old document. */
-const AIMING = {
-  mode: "aim",
-  trace: null,
-  stroke: 0,
-  time: 0,
-  playing: false,
-  preview: null,
-} as const;
+function aiming(session: Session): Session {
+  const replay = { ...session.replay, trace: null, stroke: 0, time: 0, playing: false };
+  const analysis = { ...session.analysis, preview: null };
+  return { ...session, mode: "aim", replay, analysis, refusal: null };
+}
 
 /** A game that begins or is opened ends the analysis of another one. */
 function withoutStudy(next: Document): Document {

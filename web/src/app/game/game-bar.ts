@@ -110,7 +110,8 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
   let resting: ReturnType<typeof setTimeout> | undefined;
   store.subscribe((now, before) => {
     const { session, document } = now;
-    const isOther = session.mode !== before.session.mode || session.trace !== before.session.trace;
+    const isOther =
+      session.mode !== before.session.mode || session.replay.trace !== before.session.replay.trace;
     const isOtherGame =
       document.game !== before.document.game || document.study !== before.document.study;
     if (isOtherGame || isOther) show();
@@ -123,8 +124,8 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
     }
     if (session === before.session) return;
     clearTimeout(resting);
-    const { trace, playing, time } = session;
-    const ended = trace && before.session.playing && !playing && time >= trace.duration;
+    const { trace, playing, time } = session.replay;
+    const ended = trace && before.session.replay.playing && !playing && time >= trace.duration;
     // After an older shot the replay stays, for a step to another one.
     const isLast = trace === standing(store, engine)?.trace;
     if (document.game && ended && isLast) resting = setTimeout(() => leave(store), REST);

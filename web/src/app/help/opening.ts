@@ -110,7 +110,8 @@ export function mountOpening(
 
   store.subscribe(({ session, document: now }, before) => {
     if (step < 0) return;
-    const { trace, playing, time, mode } = session;
+    const { trace, playing, time } = session.replay;
+    const { mode } = session;
     const isOther =
       session.attempt !== (waits ? null : attempt) ||
       session.activity !== "analyse" ||
@@ -127,9 +128,9 @@ export function mountOpening(
     } else if (!playing && time >= trace.duration && trace !== judged) {
       judged = trace;
       timer = setTimeout(() => {
-        if (store.session.trace === trace) judge(trace);
+        if (store.session.replay.trace === trace) judge(trace);
       }, PAUSE);
-    } else if (playing && !before.session.playing) {
+    } else if (playing && !before.session.replay.playing) {
       // Played again from its end.
       judged = null;
       clearTimeout(timer);

@@ -135,7 +135,7 @@ export const KEYS: readonly Key[] = [
     help: "key.sound",
     run: ({ store, context }) => {
       switchSound(store);
-      context.announce(t(store.session.sound ? "replay.sound-on" : "replay.sound-off"));
+      context.announce(t(store.session.replay.sound ? "replay.sound-on" : "replay.sound-off"));
     },
   },
   {

@@ -34,7 +34,7 @@ export function tap(state: GestureState, { ball, group }: Gesture, event: Pointe
 
 /** Selects a ball, aims at it, and calls it where the game wants that; a pot that is solved stays. */
 function tapOnBall({ store, context: { engine } }: GestureState, ball: number): void {
-  const balls = store.session.trace?.shot.balls ?? store.shot.balls;
+  const balls = store.session.replay.trace?.shot.balls ?? store.shot.balls;
   const { id } = balls[ball]!;
   store.setSession({ selected: id });
   if (store.session.mode !== "aim") return;

@@ -19,30 +19,33 @@ export function momentsOf(trace: Trace | null): readonly Moment[] {
 /** Whether the replay runs and only its time has changed. */
 export function playsOn(now: Session, before: Session): boolean {
   return (
-    now.playing && before.playing && now.trace === before.trace && now.selected === before.selected
+    now.replay.playing &&
+    before.replay.playing &&
+    now.replay.trace === before.replay.trace &&
+    now.selected === before.selected
   );
 }
 
 /** Pauses at a time (s), clamped to the shot's duration. */
 export function seek(store: Store, time: number): void {
-  const { trace } = store.session;
+  const { trace } = store.session.replay;
   if (!trace) return;
   const within = Math.min(Math.max(time, 0), trace.duration);
-  store.setSession({ playing: false, stroke: 0, time: within });
+  store.setPart("replay", { playing: false, stroke: 0, time: within });
 }
 
 /** Pauses or plays. At the end of the replay it plays from the start. */
 export function togglePlaying(store: Store): void {
-  const { trace, playing, time } = store.session;
+  const { trace, playing, time } = store.session.replay;
   if (!trace) return;
-  if (playing) store.setSession({ playing: false });
+  if (playing) store.setPart("replay", { playing: false });
   else if (time >= trace.duration) replay(store, trace);
-  else store.setSession({ playing: true });
+  else store.setPart("replay", { playing: true });
 }
 
 /** Pauses at the next event, or at the end. */
 export function stepForwards(store: Store): void {
-  const { trace, time } = store.session;
+  const { trace, time } = store.session.replay;
   if (!trace) return;
   const moment = next(momentsOf(trace), time);
   seek(store, moment?.time ?? trace.duration);
@@ -50,7 +53,7 @@ export function stepForwards(store: Store): void {
 
 /** Pauses at the previous event, or at the start. */
 export function stepBackwards(store: Store): void {
-  const { trace, time } = store.session;
+  const { trace, time } = store.session.replay;
   if (!trace) return;
   seek(store, previous(momentsOf(trace), time)?.time ?? 0);
 }
@@ -58,10 +61,12 @@ export function stepBackwards(store: Store): void {
 /** Shows a trace from `time` (s) on; from its start on with the stroke of the cue, if it has one. */
 export function replay(store: Store, trace: Trace, time = 0, playing = true): void {
   const stroke = playing && time === 0 && trace.shot.strike ? STROKE : 0;
-  store.setSession({ mode: "replay", trace, stroke, time, playing, refusal: null });
+  const shown = { ...store.session.replay, trace, stroke, time, playing };
+  store.setSession({ mode: "replay", replay: shown, refusal: null });
 }
 
 /** Ends the replay and returns to aiming the same shot. */
 export function leave(store: Store): void {
-  store.setSession({ mode: "aim", trace: null, stroke: 0, time: 0, playing: false });
+  const shown = { ...store.session.replay, trace: null, stroke: 0, time: 0, playing: false };
+  store.setSession({ mode: "aim", replay: shown });
 }

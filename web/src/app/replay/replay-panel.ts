@@ -42,11 +42,11 @@ export function mountState(root: HTMLElement, store: Store): void {
 
   const pace = new Pace();
   store.subscribe(({ session }, { session: before }) => {
-    const { trace, time } = session;
+    const { trace, time } = session.replay;
     if (!trace || session === before) return;
     if (playsOn(session, before) && !pace.due()) return;
     const { balls } = trace.shot;
-    if (trace !== before.trace) {
+    if (trace !== before.replay.trace) {
       ball.replaceChildren(...balls.map(({ id }) => h("option", { value: id }, id)));
       setText(hash, trace.hash);
     }

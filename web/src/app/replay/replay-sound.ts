@@ -16,17 +16,17 @@ const SILENCED = "carom-sound-off";
 
 /** Switches the sound on or off, also for later visits. */
 export function switchSound(store: Store): void {
-  const sound = !store.session.sound;
-  store.setSession({ sound });
+  const sound = !store.session.replay.sound;
+  store.setPart("replay", { sound });
   setFlag("localStorage", SILENCED, !sound);
 }
 
 /** Plays the impacts of a running replay while sound is switched on. */
 export function mountSound(store: Store): void {
   const speaker = new Speaker();
-  if (hasFlag("localStorage", SILENCED, false)) store.setSession({ sound: false });
-  store.subscribe(({ session }, { session: before }) => {
-    const { trace, playing, sound, stroke, time, rate } = session;
+  if (hasFlag("localStorage", SILENCED, false)) store.setPart("replay", { sound: false });
+  store.subscribe(({ session }, { session: { replay: before } }) => {
+    const { trace, playing, sound, stroke, time, rate } = session.replay;
     if (playing && sound && trace) {
       // The click that shoots or plays is a gesture, within which browsers allow sound.
       if (!before.playing || !before.sound) speaker.wake();
@@ -42,14 +42,14 @@ export function soundButton(store: Store): HTMLButtonElement {
   const onclick = () => switchSound(store);
   const made = h("button", { type: "button", class: "button", id: "sound", onclick });
   const show = () => {
-    const { sound } = store.session;
+    const { sound } = store.session.replay;
     made.setAttribute("aria-pressed", String(sound));
     made.replaceChildren(icon(sound ? ICONS.on : ICONS.off));
   };
   made.setAttribute("aria-label", t("replay.sound"));
   made.title = t("replay.sound");
   store.subscribe(({ session }, { session: before }) => {
-    if (session.sound !== before.sound) show();
+    if (session.replay.sound !== before.replay.sound) show();
   });
   show();
   return made;

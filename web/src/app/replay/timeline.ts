@@ -71,8 +71,9 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
   );
 
   store.subscribe(({ session }, { session: before }) => {
-    if (session.playing && !before.playing) context.loop.animate((elapsed) => tick(store, elapsed));
-    if (session.trace !== before.trace || session.selected !== before.selected) {
+    if (session.replay.playing && !before.replay.playing)
+      context.loop.animate((elapsed) => tick(store, elapsed));
+    if (session.replay.trace !== before.replay.trace || session.selected !== before.selected) {
       drawMarks(marks, session);
     }
     if (session === before) return;
@@ -82,13 +83,13 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
 
   /** Moves the line and its thumb to the present time, which paints nothing again. */
   function point(): void {
-    const { trace, time } = store.session;
+    const { trace, time } = store.session.replay;
     if (!trace) return;
     now.style.setProperty("--at", String(trace.duration > 0 ? time / trace.duration : 0));
   }
 
   function show(): void {
-    const { trace, time, playing } = store.session;
+    const { trace, time, playing } = store.session.replay;
     if (!trace) return;
     const moment = latest(momentsOf(trace), time);
     const events = moment?.events.map((index) => trace.events[index]!) ?? [];
@@ -119,15 +120,15 @@ function at(time: number, events: string): string {
 }
 
 function tick(store: Store, elapsed: number): boolean {
-  const { trace, playing, stroke, time, rate } = store.session;
+  const { trace, playing, stroke, time, rate } = store.session.replay;
   if (!trace || !playing) return false;
   if (stroke > 0) {
-    store.setSession({ stroke: Math.max(0, stroke - Math.min(elapsed, LONGEST_FRAME)) });
+    store.setPart("replay", { stroke: Math.max(0, stroke - Math.min(elapsed, LONGEST_FRAME)) });
     return true;
   }
   const then = advance(time, elapsed, rate, trace.duration);
   const goesOn = then < trace.duration;
-  store.setSession({ time: then, playing: goesOn });
+  store.setPart("replay", { time: then, playing: goesOn });
   return goesOn;
 }
 
@@ -151,9 +152,9 @@ function rates(store: Store): HTMLSelectElement {
     { class: "rate", "aria-label": t("replay.speed"), title: t("replay.speed") },
     ...RATES.map((rate) => h("option", { value: rate }, RATE_NAMES[rate])),
   );
-  select.addEventListener("change", () => store.setSession({ rate: Number(select.value) }));
+  select.addEventListener("change", () => store.setPart("replay", { rate: Number(select.value) }));
   store.subscribe(({ session }) => {
-    select.value = String(session.rate);
+    select.value = String(session.replay.rate);
   });
   return select;
 }
@@ -201,7 +202,7 @@ function scrubber(store: Store): Scrubber {
     const box = marks.getBoundingClientRect();
     const share = (event.clientX - box.left) / box.width;
     const found = nearest(marks, session, event);
-    seek(store, found?.event.time ?? share * (session.trace?.duration ?? 0));
+    seek(store, found?.event.time ?? share * (session.replay.trace?.duration ?? 0));
   });
   const now = h("div", { class: "now", "aria-hidden": "true" });
   return { slider, marks, now, tip };
@@ -211,7 +212,7 @@ function scrubber(store: Store): Scrubber {
 function sliderKey({ key, shiftKey }: KeyboardEvent): ((store: Store) => void) | null {
   const step = shiftKey ? FINE_STEP : STEP;
   const by = (change: number) => (store: Store) => {
-    seek(store, store.session.time + change);
+    seek(store, store.session.replay.time + change);
   };
   switch (key) {
     case "ArrowRight":
@@ -233,7 +234,7 @@ function sliderKey({ key, shiftKey }: KeyboardEvent): ((store: Store) => void) |
   }
 }
 
-function drawMarks(root: SVGSVGElement, { trace, selected }: Session): void {
+function drawMarks(root: SVGSVGElement, { replay: { trace }, selected }: Session): void {
   const marks = trace?.events.map((event) => {
     const { shape, lane } = LOOKS[event.type];
     const other = selected !== null && !event.balls.includes(selected);
@@ -260,7 +261,7 @@ function shareOf(event: TraceEvent, { duration }: Trace): number {
 /** The event whose mark is nearest to the pointer, within `REACH`. */
 function nearest(
   root: SVGSVGElement,
-  { trace }: Session,
+  { replay: { trace } }: Session,
   { clientX, clientY }: MouseEvent,
 ): { event: TraceEvent; share: number } | null {
   const box = root.getBoundingClientRect();

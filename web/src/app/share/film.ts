@@ -29,7 +29,7 @@ export function filmSection(store: Store, context: Context): HTMLElement {
   let abort: AbortController | null = null;
 
   const run = async (): Promise<void> => {
-    const trace = store.session.trace ?? store.ghost.trace;
+    const trace = store.session.replay.trace ?? store.ghost.trace;
     if (!trace || abort) return;
     abort = new AbortController();
     const { signal } = abort;

@@ -27,7 +27,11 @@ export function mountFriend(root: HTMLElement, store: Store, context: Context): 
     const state = {
       ...store.state,
       document: { ...document, game: theirs },
-      session: { ...session, mode: isPlayed ? ("replay" as const) : ("aim" as const), time: 0 },
+      session: {
+        ...session,
+        mode: isPlayed ? ("replay" as const) : ("aim" as const),
+        replay: { ...session.replay, time: 0 },
+      },
     };
     return isLocal() ? linkText(store, engine, state) : (link(store, engine, state) ?? "");
   }

@@ -76,7 +76,7 @@ export function stateToFragment(shot: ShotFile, { document, view, session }: Sta
       study: { ...document.study, tree: null, ...treeText(document.study.tree) },
     }),
     ...(changed.length > 0 && { view: Object.fromEntries(changed.map((key) => [key, view[key]])) }),
-    ...(session.mode === "replay" && { time: session.time }),
+    ...(session.mode === "replay" && { time: session.replay.time }),
   });
 }
 

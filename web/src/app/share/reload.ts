@@ -27,7 +27,7 @@ export function keepForReload(store: Store): void {
   stateFromFragment(kept);
   sessionStorage.setItem(KEPT, kept);
   // A link opens without sound, and the page stays silent when it is loaded again.
-  setFlag("sessionStorage", SILENT, !store.session.sound);
+  setFlag("sessionStorage", SILENT, !store.session.replay.sound);
 }
 
 /** Whether what was kept had no sound. */

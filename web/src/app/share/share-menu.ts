@@ -165,7 +165,7 @@ function action(label: string, id: string, run: () => unknown): HTMLButtonElemen
 
 /** @returns The message to show. */
 function downloadTrace(store: Store): string {
-  const trace = store.session.trace ?? store.ghost.trace;
+  const trace = store.session.replay.trace ?? store.ghost.trace;
   if (!trace) return store.ghost.error ?? t("share.no-trace");
   download(`${trace.json()}\n`, "trace.json");
   return t("share.trace-downloaded");

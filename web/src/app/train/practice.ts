@@ -267,13 +267,14 @@ export class Practice {
     }
     if (!now.session.attempt) return;
     const [is, was] = [now.session, before.session];
-    if (is.mode === "replay" && was.mode === "aim" && is.trace) this.#shot(page, is.trace);
-    const ended = is.mode === "replay" && is.trace && !is.playing && is.time >= is.trace.duration;
+    const { trace, playing, time } = is.replay;
+    if (is.mode === "replay" && was.mode === "aim" && trace) this.#shot(page, trace);
+    const ended = is.mode === "replay" && trace && !playing && time >= trace.duration;
     if (ended && page.verdict !== null) this.#pronounce(page, true);
     else if (is.mode === "aim" && page.verdict !== null) this.#pronounce(page, false);
     else if (is.mode === "aim" && was.mode === "replay") this.#next(page);
     // The user watches the shot again.
-    if (is.mode === "replay" && is.playing) clearTimeout(page.timer);
+    if (is.mode === "replay" && playing) clearTimeout(page.timer);
     const { deviation } = this;
     if (deviation === page.deviation) return;
     page.deviation = deviation;

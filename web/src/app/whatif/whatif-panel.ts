@@ -31,7 +31,7 @@ const LARGEST_DRAWN_SEED = 9999;
 export function mountWhatIf(root: HTMLElement, store: Store, context: Context): void {
   const on = h("input", { type: "checkbox", id: uniqueId("noise"), role: "switch" });
   on.addEventListener("change", () => {
-    const level = context.engine.noisePresets[store.session.level];
+    const level = context.engine.noisePresets[store.session.analysis.level];
     const noise = on.checked ? (level ?? context.engine.olympiad()) : null;
     store.apply({ noise }, t(on.checked ? "change.noise-on" : "change.noise-off"));
   });

@@ -103,7 +103,7 @@ test("in a game the position is the frame's, and the strike does not change it",
   expect(free.record.setup.game).toBe("nine-ball");
   store.strike({ speed: 3 }, "speed");
   expect(positionOf(store, engine)!.key).toBe(free.key);
-  store.setSession({ level: "professional" });
+  store.setPart("analysis", { level: "professional" });
   expect(positionOf(store, engine)!.key).not.toBe(free.key);
   const context = { engine, announce: () => undefined } as unknown as Context;
   const setup = {

@@ -148,7 +148,7 @@ describe("simulation", () => {
   test("the replayed trace stays valid after the change that ends its replay", () => {
     const store = fresh();
     const { trace } = store.ghost;
-    store.setSession({ mode: "replay", trace });
+    store.setSession({ mode: "replay", replay: { ...store.session.replay, trace } });
     store.strike({ azimuth_deg: 12 }, "aim");
     expect(store.session).toMatchObject({ mode: "aim", trace: null });
     expect(trace!.hash).toMatch(/^[0-9a-f]{16}$/);

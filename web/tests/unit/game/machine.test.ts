@@ -113,10 +113,12 @@ describe("a machine", () => {
     const store = begun("nine-ball", SECOND);
     machineIn(store);
     store.strike({ speed: 0.3, azimuth_deg: 180 }, "aim");
-    playShot(store, context, (trace) => store.setSession({ mode: "replay", trace }));
+    playShot(store, context, (trace) =>
+      store.setSession({ mode: "replay", replay: { ...store.session.replay, trace } }),
+    );
     for (let k = 0; k < 20; k += 1) await rest();
     expect(made(store)).toBe(1);
-    store.setSession({ mode: "aim", trace: null });
+    store.setSession({ mode: "aim", replay: { ...store.session.replay, trace: null } });
     await until(() => made(store) > 1);
   });
 
@@ -135,10 +137,12 @@ describe("a machine", () => {
       const store = begun("nine-ball", SECOND);
       machineIn(store, Infinity, READING);
       store.strike(soft, "aim");
-      playShot(store, context, (trace) => store.setSession({ mode: "replay", trace }));
+      playShot(store, context, (trace) =>
+        store.setSession({ mode: "replay", replay: { ...store.session.replay, trace } }),
+      );
       await pass(10 * READING);
       expect(made(store)).toBe(1);
-      store.setSession({ mode: "aim", trace: null });
+      store.setSession({ mode: "aim", replay: { ...store.session.replay, trace: null } });
       await pass(1500);
       expect(made(store)).toBe(1);
       await pass(READING - 1500);

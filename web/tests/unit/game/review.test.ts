@@ -35,9 +35,12 @@ describe("the shots of a game", () => {
     expect(neighbour(progress, 0, 1)).toBe(1);
     expect(neighbour(progress, 1, 1)).toBeNull();
     expect(neighbour(progress, 0, -1)).toBeNull();
-    store.setSession({ mode: "replay", trace: traceOf(progress, 0) });
+    store.setSession({
+      mode: "replay",
+      replay: { ...store.session.replay, trace: traceOf(progress, 0) },
+    });
     expect(replayedMove(store, engine)).toBe(0);
-    store.setSession({ trace: progress.trace });
+    store.setPart("replay", { trace: progress.trace });
     expect(replayedMove(store, engine)).toBe(1);
   });
 });

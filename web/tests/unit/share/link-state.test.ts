@@ -62,7 +62,11 @@ describe("the state in a link", () => {
     const full: State = {
       document: { shot, noise, seed: 12345, game },
       view,
-      session: { ...FIRST_SESSION, mode: "replay", time: 1.234567890123456 },
+      session: {
+        ...FIRST_SESSION,
+        mode: "replay",
+        replay: { ...FIRST_SESSION.replay, time: 1.234567890123456 },
+      },
     };
     expect(stateFromFragment(stateToFragment(shot, full))).toStrictEqual({
       shot,

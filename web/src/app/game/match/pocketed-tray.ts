@@ -36,7 +36,10 @@ export function mountTray(root: HTMLElement, store: Store, context: Context): vo
     );
   };
   store.subscribe((now, before) => {
-    if (now.document.game !== before.document.game || now.session.trace !== before.session.trace) {
+    if (
+      now.document.game !== before.document.game ||
+      now.session.replay.trace !== before.session.replay.trace
+    ) {
       show();
     }
   });

@@ -58,7 +58,10 @@ export function mountStep(root: HTMLElement, store: Store, context: Context): vo
     on.setAttribute("aria-disabled", String(neighbour(progress, index, 1) === null));
   };
   store.subscribe((now, before) => {
-    if (now.session.trace !== before.session.trace || now.document.game !== before.document.game) {
+    if (
+      now.session.replay.trace !== before.session.replay.trace ||
+      now.document.game !== before.document.game
+    ) {
       show();
     }
   });

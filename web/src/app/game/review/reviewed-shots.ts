@@ -32,7 +32,7 @@ export function traceOf({ steps, trace }: Progress, index: number): Trace | null
 
 /** The index of the move whose shot is replayed; null if none is. */
 export function replayedMove(store: Store, engine: Engine): number | null {
-  const { trace } = store.session;
+  const { trace } = store.session.replay;
   const progress = standing(store, engine);
   if (!trace || !progress) return null;
   const { steps } = progress;
