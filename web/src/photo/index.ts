@@ -3,19 +3,14 @@
 import "./photo.css";
 import { PhotoDialog, type PhotoOptions } from "./dialog/photo-dialog.ts";
 import { button, element } from "./dialog/element.ts";
-import { type PhotoLanguage, setLanguage, TEXTS } from "./texts.ts";
+import { setLanguage, TEXTS } from "./texts.ts";
 
 export type { PhotoOptions } from "./dialog/photo-dialog.ts";
-export type { PhotoLanguage } from "./texts.ts";
 export { trayOf } from "./photo-draft.ts";
 export { type Bed, bed } from "./geometry/settle.ts";
 
 /** Adds the button that opens the dialog. */
-export function mountPhoto(
-  place: HTMLElement,
-  options: PhotoOptions,
-  language: PhotoLanguage,
-): void {
+export function mountPhoto(place: HTMLElement, options: PhotoOptions, language: string): void {
   setLanguage(language);
   const dialog = new PhotoDialog(options);
   document.body.append(dialog.root);

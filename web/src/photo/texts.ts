@@ -1,20 +1,20 @@
 /** The texts of the layout from a photo, in the language of the page. */
 
-import { de } from "./texts/de.ts";
-import { en, type PhotoTexts } from "./texts/en.ts";
-import { zh } from "./texts/zh.ts";
+import { type PhotoTexts, texts as english } from "./texts/en.ts";
 
-export const CATALOGUES = { en, de, zh } satisfies Record<string, PhotoTexts>;
-
-/** A language of the dialog. */
-export type PhotoLanguage = keyof typeof CATALOGUES;
+/** The texts by language: each file in `texts` is one, and has the keys of the English one. */
+export const CATALOGUES: Readonly<Record<string, PhotoTexts>> = Object.fromEntries(
+  Object.entries(
+    import.meta.glob<PhotoTexts>("./texts/*.ts", { eager: true, import: "texts" }),
+  ).map(([path, texts]) => [path.split(/[/.]/).at(-2)!, texts]),
+);
 
 /** The present texts. */
-export let TEXTS: PhotoTexts = en;
+export let TEXTS: PhotoTexts = english;
 
 /** Texts that are read from now on are in this language. */
-export function setLanguage(language: PhotoLanguage): void {
-  TEXTS = CATALOGUES[language];
+export function setLanguage(language: string): void {
+  TEXTS = CATALOGUES[language] ?? english;
 }
 
 export function tableText(name: string): string {

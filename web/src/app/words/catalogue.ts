@@ -34,17 +34,18 @@ type Catalogue = Readonly<Record<Key, Entry>>;
 
 type File = Partial<Catalogue>;
 
-/** Vite writes the calls of `glob` as lists of modules: each needs its options as literals. */
-export const CATALOGUES: Readonly<Record<Language, Catalogue>> = {
-  en: merged(
-    Object.values(
-      import.meta.glob<File>(["./en/*.ts", "!./en/index.ts"], { eager: true, import: "texts" }),
-    ),
-  ),
-  de: merged(Object.values(import.meta.glob<File>("./de/*.ts", { eager: true, import: "texts" }))),
-  zh: merged(Object.values(import.meta.glob<File>("./zh/*.ts", { eager: true, import: "texts" }))),
-};
+/** The texts by language: those of all files in its folder. */
+export const CATALOGUES = cataloguesOf(
+  import.meta.glob<File>(["./*/*.ts", "!./*/index.ts"], { eager: true, import: "texts" }),
+);
 
-function merged(files: readonly File[]): Catalogue {
-  return Object.assign({}, ...files) as Catalogue;
+function cataloguesOf(
+  files: Readonly<Record<string, File>>,
+): Readonly<Record<Language, Catalogue>> {
+  const found: Record<string, File> = {};
+  for (const [path, texts] of Object.entries(files)) {
+    const language = path.split("/")[1]!;
+    found[language] = { ...found[language], ...texts };
+  }
+  return found as Record<Language, Catalogue>;
 }

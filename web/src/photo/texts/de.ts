@@ -2,7 +2,7 @@
 
 import type { PhotoTexts } from "./en.ts";
 
-export const de: PhotoTexts = {
+export const texts: PhotoTexts = {
   open: "Lage aus einem Foto",
   title: "Lage aus einem Foto",
   close: "Schließen",

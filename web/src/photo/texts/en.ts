@@ -1,6 +1,6 @@
 /** The texts of the layout from a photo. `{name}` stands for a value. */
 
-export const en = {
+export const texts = {
   open: "Layout from a photo",
   title: "Layout from a photo",
   close: "Close",
@@ -58,4 +58,4 @@ export const en = {
 } as const;
 
 /** The same texts in any language. */
-export type PhotoTexts = Readonly<Record<keyof typeof en, string>>;
+export type PhotoTexts = Readonly<Record<keyof typeof texts, string>>;

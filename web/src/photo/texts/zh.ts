@@ -2,7 +2,7 @@
 
 import type { PhotoTexts } from "./en.ts";
 
-export const zh: PhotoTexts = {
+export const texts: PhotoTexts = {
   open: "用照片摆球",
   title: "用照片摆球",
   close: "关闭",
