@@ -150,7 +150,7 @@ describe("simulation", () => {
     const { trace } = store.ghost;
     store.setSession({ mode: "replay", replay: { ...store.session.replay, trace } });
     store.strike({ azimuth_deg: 12 }, "aim");
-    expect(store.session).toMatchObject({ mode: "aim", trace: null });
+    expect(store.session).toMatchObject({ mode: "aim", replay: { trace: null } });
     expect(trace!.hash).toMatch(/^[0-9a-f]{16}$/);
   });
 });
