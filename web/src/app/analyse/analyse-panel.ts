@@ -16,7 +16,7 @@ import { Desk } from "./desk/desk-client.ts";
 import DeskWorker from "./desk/desk-worker.ts?worker&inline";
 import { aimLine, readShot, shotOf } from "./play-line.ts";
 import { type Position, positionOf } from "./analysed-position.ts";
-import { hidePreview, showShot } from "./result-preview.ts";
+import { hidePreview, resultButton, showShot } from "./result-preview.ts";
 import { mountStop } from "./stop-handle.ts";
 import { leaveText, lineText, percent, strikeText, whatText, whyText } from "./analyse-words.ts";
 import { decimal, t } from "../words/translate.ts";
@@ -31,100 +31,125 @@ const POTS = 600;
 const STOP = "#8fe3ff";
 
 export function mountLines(root: HTMLElement, store: Store, context: Context): void {
-  const { engine } = context;
-  const list = h("ol", { class: "lines", "aria-label": t("lines.title") });
-  const status = h("p", {
+  const panel = new LinesPanel(root, store, context);
+  const stop = h("section", { "aria-label": t("stop.title") });
+  const next = h("section", { "aria-label": t("next.title") });
+  root.append(stop, next);
+  mountStop(stop, store, context);
+  mountNext(next, store, context);
+  store.subscribe((now, before) => {
+    if (matters(now, before)) panel.follow();
+    else if (now.session.turn !== before.session.turn) panel.showAgain();
+  });
+  const follow = () => panel.follow();
+  new MutationObserver(follow).observe(root, { attributeFilter: ["hidden"] });
+  follow();
+}
+
+/** The list of lines, and the settings of their search. */
+class LinesPanel {
+  readonly #root: HTMLElement;
+  readonly #store: Store;
+  readonly #context: Context;
+  readonly #list = h("ol", { class: "lines", "aria-label": t("lines.title") });
+  readonly #status = h("p", {
     class: "hint",
     role: "status",
     "aria-live": "polite",
     id: "lines-status",
   });
-  const rules = h("select", { id: uniqueId("rules") });
-  const rulesRow = labelled(t("lines.game"), rules);
-  const level = h(
-    "select",
-    { id: uniqueId("level") },
-    ...Object.keys(engine.noisePresets).map((name) =>
-      h("option", { value: name }, levelName(name)),
-    ),
-  );
-  const levelRow = labelled(t("lines.level"), level);
-  const own = h("p", { class: "hint" }, t("lines.own-errors"));
-  root.append(
-    rulesRow,
-    levelRow,
-    own,
-    h("h2", {}, t("lines.title")),
-    list,
-    status,
-    h("p", { class: "hint" }, t("lines.hint")),
-  );
-  const stop = h("section", { "aria-label": t("stop.title") });
-  root.append(stop);
-  mountStop(stop, store, context);
-  const next = h("section", { "aria-label": t("next.title") });
-  root.append(next);
-  mountNext(next, store, context);
-  rules.addEventListener("change", () => store.setPart("analysis", { rules: rules.value }));
-  level.addEventListener("change", () => store.setPart("analysis", { level: level.value }));
-
-  const desk = new Desk(() => new DeskWorker(), engine);
+  readonly #rules = h("select", { id: uniqueId("rules") });
+  readonly #rulesRow = labelled(t("lines.game"), this.#rules);
+  readonly #level = h("select", { id: uniqueId("level") });
+  readonly #levelRow = labelled(t("lines.level"), this.#level);
+  readonly #own = h("p", { class: "hint" }, t("lines.own-errors"));
+  readonly #desk: Desk;
   /** Chances of pots, by their plays. */
-  const potChances = new WeakMap<Recommendation["play"], number>();
-  let lines: Lines | null = null;
-  let found: Found | null = null;
-  let timer: ReturnType<typeof setTimeout> | undefined;
+  readonly #potChances = new WeakMap<Recommendation["play"], number>();
+  /** Starts workers, so it is made for the first question. */
+  #lines: Lines | null = null;
+  #found: Found | null = null;
+  #timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** Whether the tab is in view and there is a position to look at. */
-  const isWanted = () => !root.hidden && store.session.mode === "aim";
-
-  /** Waits until the position rests, and then searches it. */
-  function follow(): void {
-    clearTimeout(timer);
-    lines?.stop();
-    if (!isWanted()) return;
-    list.dataset.stale = "true";
-    timer = setTimeout(ask, REST);
+  constructor(root: HTMLElement, store: Store, context: Context) {
+    const { engine } = context;
+    this.#root = root;
+    this.#store = store;
+    this.#context = context;
+    this.#desk = new Desk(() => new DeskWorker(), engine);
+    this.#level.append(
+      ...Object.keys(engine.noisePresets).map((name) =>
+        h("option", { value: name }, levelName(name)),
+      ),
+    );
+    this.#rules.addEventListener("change", () =>
+      store.setPart("analysis", { rules: this.#rules.value }),
+    );
+    this.#level.addEventListener("change", () =>
+      store.setPart("analysis", { level: this.#level.value }),
+    );
+    root.append(
+      this.#rulesRow,
+      this.#levelRow,
+      this.#own,
+      h("h2", {}, t("lines.title")),
+      this.#list,
+      this.#status,
+      h("p", { class: "hint" }, t("lines.hint")),
+    );
   }
 
-  function ask(): void {
-    const position = positionOf(store, engine);
-    showSettings(position);
+  /** Whether the tab is in view and there is a position to look at. */
+  get #isWanted(): boolean {
+    return !this.#root.hidden && this.#store.session.mode === "aim";
+  }
+
+  /** Waits until the position rests, and then searches it. */
+  follow(): void {
+    clearTimeout(this.#timer);
+    this.#lines?.stop();
+    if (!this.#isWanted) return;
+    this.#list.dataset.stale = "true";
+    this.#timer = setTimeout(() => this.#ask(), REST);
+  }
+
+  #ask(): void {
+    const position = positionOf(this.#store, this.#context.engine);
+    this.#showSettings(position);
     if (!position) {
-      found = null;
-      changeUnpressed(list, () => list.replaceChildren());
-      setText(status, t(store.document.game ? "lines.no-shot" : "lines.no-game"));
-    } else if (found?.done && found.position.key === position.key) {
-      show(found);
+      this.#found = null;
+      changeUnpressed(this.#list, () => this.#list.replaceChildren());
+      setText(this.#status, t(this.#store.document.game ? "lines.no-shot" : "lines.no-game"));
+    } else if (this.#found?.done && this.#found.position.key === position.key) {
+      this.#show(this.#found);
     } else {
-      setText(status, t("lines.searching"));
-      lines ??= new Lines(() => new ThinkerWorker(), engine, { found: show, refused });
-      lines.ask(position);
+      setText(this.#status, t("lines.searching"));
+      this.#lines ??= new Lines(() => new ThinkerWorker(), this.#context.engine, {
+        found: (result) => this.#show(result),
+        refused: (message) => setText(this.#status, message),
+      });
+      this.#lines.ask(position);
     }
   }
 
-  function refused(message: string): void {
-    setText(status, message);
-  }
-
-  function show(result: Found): void {
-    found = result;
+  #show(result: Found): void {
+    this.#found = result;
     // While shots are found, the list changes under a pointer that presses one of them.
-    changeUnpressed(list, () => showFound(result));
-    countPots(result);
+    changeUnpressed(this.#list, () => this.#showFound(result));
+    this.#countPots(result);
   }
 
-  function showFound({ plays, done, elapsed }: Found): void {
-    const focused = [...list.querySelectorAll(".line")].indexOf(document.activeElement!);
-    hidePreview(store);
-    list.replaceChildren(...plays.map((line, index) => lineItem(line, index, plays)));
-    delete list.dataset.stale;
-    list.dataset.done = String(done);
-    list.dataset.elapsed = String(Math.round(elapsed));
-    list.querySelectorAll<HTMLElement>(".line")[focused]?.focus();
+  #showFound({ plays, done, elapsed }: Found): void {
+    const focused = [...this.#list.querySelectorAll(".line")].indexOf(document.activeElement!);
+    hidePreview(this.#store);
+    this.#list.replaceChildren(...plays.map((line, index) => this.#lineItem(line, index, plays)));
+    delete this.#list.dataset.stale;
+    this.#list.dataset.done = String(done);
+    this.#list.dataset.elapsed = String(Math.round(elapsed));
+    this.#list.querySelectorAll<HTMLElement>(".line")[focused]?.focus();
     const samples = plays[0]?.samples ?? 0;
     setText(
-      status,
+      this.#status,
       plays.length === 0
         ? t("lines.none")
         : done
@@ -133,18 +158,14 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
     );
   }
 
-  function lineItem(
-    line: Recommendation,
-    index: number,
-    all: readonly Recommendation[],
-  ): HTMLElement {
+  #lineItem(line: Recommendation, index: number, all: readonly Recommendation[]): HTMLElement {
     const { play, kept, foul, win_chance: win } = line;
-    const { geometry, balls } = store.shot;
-    const cue = store.document.shot.strike.ball;
+    const { geometry, balls } = this.#store.shot;
+    const cue = this.#store.document.shot.strike.ball;
     // A single player keeps the turn with every shot, makes no foul and wins nothing: there the pot counts.
-    const alone = isForOne(engine, rules.value);
+    const alone = isForOne(this.#context.engine, this.#rules.value);
     const facts = alone
-      ? h("span", { class: "facts" }, potFact(line))
+      ? h("span", { class: "facts" }, this.#potFact(line))
       : h(
           "span",
           { class: "facts" },
@@ -155,19 +176,14 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
           fact(t("lines.foul"), percent(foul.probability)),
           fact(t("lines.win"), percent(win)),
         );
-    const button = h(
-      "button",
+    const button = resultButton(
+      this.#store,
       {
-        type: "button",
-        class: "line",
-        onclick: () => {
-          hidePreview(store);
-          if (aimLine(store, line)) context.announce(t("lines.aimed", { line: lineText(line) }));
+        take: () => {
+          if (aimLine(this.#store, line))
+            this.#context.announce(t("lines.aimed", { line: lineText(line) }));
         },
-        onpointerenter: () => preview(line),
-        onpointerleave: () => hidePreview(store),
-        onfocus: () => preview(line),
-        onblur: () => hidePreview(store),
+        show: () => this.#preview(line),
       },
       h(
         "span",
@@ -177,79 +193,79 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
         facts,
         h("span", { class: "unseen" }, leaveText(line)),
       ),
-      leavePicture(geometry, balls, cue, line, isLying()),
+      leavePicture(geometry, balls, cue, line, this.#isLying()),
     );
     return h("li", {}, button, ...(all.length > 1 ? why(line, index, all) : []));
   }
 
   /** The chance of a line's pot, counted; empty until it is known, and for a line without a pot. */
-  function potFact(line: Recommendation): HTMLElement | false {
+  #potFact(line: Recommendation): HTMLElement | false {
     if (line.ball === null || line.pocket === null) return false;
-    const chance = potChances.get(line.play);
+    const chance = this.#potChances.get(line.play);
     return fact(t("lines.pot-chance"), chance === undefined ? "…" : percent(chance));
   }
 
   /** Counts the pots of the lines, one after the other. */
-  function countPots({ plays, position, done }: Found): void {
-    if (!done || !isForOne(engine, position.rules)) return;
-    const line = plays.find(({ ball, play }) => ball !== null && !potChances.has(play));
+  #countPots({ plays, position, done }: Found): void {
+    if (!done || !isForOne(this.#context.engine, position.rules)) return;
+    const line = plays.find(({ ball, play }) => ball !== null && !this.#potChances.has(play));
     if (line?.ball == null || line.pocket === null) return;
     const { ball, pocket, play } = line;
-    desk.ask(
+    this.#desk.ask(
       {
         kind: "chance",
         noise: position.noise,
         count: POTS,
-        of: { shot: JSON.stringify(shotOf(store.document.shot, play)), ball, pocket },
+        of: { shot: JSON.stringify(shotOf(this.#store.document.shot, play)), ball, pocket },
       },
       {
-        part: ({ met, count }) => count === POTS && potChances.set(play, met / count),
+        part: ({ met, count }) => count === POTS && this.#potChances.set(play, met / count),
         done: () => {
-          if (found?.plays === plays) show(found);
+          if (this.#found?.plays === plays) this.#show(this.#found);
         },
       },
     );
   }
 
   /** Whether the table lies on the screen, as in a wide window. */
-  function isLying(): boolean {
-    const { size } = store.shot.geometry;
+  #isLying(): boolean {
+    const { size } = this.#store.shot.geometry;
     const [from, to] = [
-      context.viewer.project(0, 0, 0),
-      context.viewer.project(0, size?.[1] ?? 1, 0),
+      this.#context.viewer.project(0, 0, 0),
+      this.#context.viewer.project(0, size?.[1] ?? 1, 0),
     ];
     return from !== null && to !== null && Math.abs(to[0] - from[0]) > Math.abs(to[1] - from[1]);
   }
 
-  function preview(line: Recommendation): void {
-    if (!isWanted() || list.dataset.stale) return;
-    const shot = readShot(engine, store.document.shot, line.play);
+  #preview(line: Recommendation): void {
+    if (!this.#isWanted || this.#list.dataset.stale) return;
+    const shot = readShot(this.#context.engine, this.#store.document.shot, line.play);
     const outline = ellipseOf(line);
-    if (shot) showShot(store, shot, outline ? [{ outline, color: STOP }] : []);
+    if (shot) showShot(this.#store, shot, outline ? [{ outline, color: STOP }] : []);
   }
 
-  function showSettings(position: Position | null): void {
-    const inGame = store.document.game !== null;
-    const { noise } = store.document;
-    own.hidden = noise === null;
-    levelRow.hidden = noise !== null;
-    rulesRow.hidden = inGame;
-    level.value = store.session.analysis.level;
+  #showSettings(position: Position | null): void {
+    const inGame = this.#store.document.game !== null;
+    const { noise } = this.#store.document;
+    this.#own.hidden = noise === null;
+    this.#levelRow.hidden = noise !== null;
+    this.#rulesRow.hidden = inGame;
+    this.#level.value = this.#store.session.analysis.level;
     const games = position?.games ?? [];
-    if (rules.dataset.games !== games.join()) {
-      rules.dataset.games = games.join();
-      rules.replaceChildren(...games.map((name) => h("option", { value: name }, rulesName(name))));
+    if (this.#rules.dataset.games !== games.join()) {
+      this.#rules.dataset.games = games.join();
+      this.#rules.replaceChildren(
+        ...games.map((name) => h("option", { value: name }, rulesName(name))),
+      );
     }
-    rules.disabled = games.length === 0;
-    rules.value = position?.rules ?? "";
+    this.#rules.disabled = games.length === 0;
+    this.#rules.value = position?.rules ?? "";
   }
 
-  store.subscribe((now, before) => {
-    if (matters(now, before)) follow();
-    else if (found && now.session.turn !== before.session.turn) show(found);
-  });
-  new MutationObserver(follow).observe(root, { attributeFilter: ["hidden"] });
-  follow();
+  /** Shows what was found as the picture now names it. */
+  showAgain(): void {
+    if (this.#found) this.#show(this.#found);
+  }
 }
 
 /** Whether the position, or what is asked about it, may have changed. */

@@ -13,7 +13,7 @@ import DeskWorker from "./desk/desk-worker.ts?worker&inline";
 import { ellipseAround } from "./leave-picture.ts";
 import { noiseOf, positionOf } from "./analysed-position.ts";
 import { interval, ordersOf } from "./plan-orders.ts";
-import { hidePreview, showShot } from "./result-preview.ts";
+import { resultButton, showShot } from "./result-preview.ts";
 import { percent, strikeText } from "./analyse-words.ts";
 import { capital, t } from "../words/translate.ts";
 
@@ -221,20 +221,9 @@ function mountPlan(root: HTMLElement, store: Store, context: Context): void {
     return h(
       "li",
       {},
-      h(
-        "button",
-        {
-          type: "button",
-          class: "line",
-          onclick: () => {
-            hidePreview(store);
-            store.apply({ shot: leg.shot }, t("change.plan", names));
-          },
-          onpointerenter: show,
-          onpointerleave: () => hidePreview(store),
-          onfocus: show,
-          onblur: () => hidePreview(store),
-        },
+      resultButton(
+        store,
+        { take: () => store.apply({ shot: leg.shot }, t("change.plan", names)), show },
         h(
           "span",
           { class: "said" },

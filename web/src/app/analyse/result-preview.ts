@@ -1,5 +1,6 @@
 /** Shows one result of the analysis on the table, until another one is shown or the document changes. */
 
+import { type Child, h } from "../common/dom.ts";
 import { CaromError, type Shot, type Trace } from "../../engine/index.ts";
 import type { Area } from "../../viewer/index.ts";
 import type { Store } from "../document/store.ts";
@@ -29,6 +30,21 @@ export function hidePreview(store: Store): void {
   if (store.session.analysis.preview) store.setPart("analysis", { preview: null });
   shown?.free();
   shown = null;
+}
+
+/** A button of a result: a press takes the result, and the table shows it while it is pointed at or has the focus. */
+export function resultButton(
+  store: Store,
+  { take, show }: { take: () => void; show: () => void },
+  ...children: Child[]
+): HTMLButtonElement {
+  const hide = () => hidePreview(store);
+  const onclick = () => {
+    hide();
+    take();
+  };
+  const looks = { onpointerenter: show, onpointerleave: hide, onfocus: show, onblur: hide };
+  return h("button", { type: "button", class: "line", onclick, ...looks }, ...children);
 }
 
 function replace(store: Store, trace: Trace | null, areas: readonly Area[]): void {
