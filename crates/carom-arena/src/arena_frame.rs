@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use carom::error::InputError;
 use carom::noise::Perception;
-use carom::{Error, Noise};
+use carom::{Error, ErrorKind, Noise};
 use carom_mind::{Answer, Decision, Situation};
 use carom_rules::{
     Choice, ErrorDraw, Frame, FrameSimulator, Play, Request, Seat, execute, through_degrees,
@@ -290,7 +290,7 @@ impl ArenaFrame {
         if !EndReason::FAILURES.contains(&reason) {
             let names = EndReason::FAILURES.map(EndReason::name).join(", ");
             let what = format!("\"{}\" is not a failure of a player", reason.name());
-            return Err(Error::input("reason", what, format!("give one of {names}")));
+            return Err(ErrorKind::UnknownName.at("reason", what, format!("give one of {names}")));
         }
         self.charge(seat, &cost);
         let effect = Effect::Failed { reason, why: why.into() };
@@ -308,7 +308,9 @@ impl ArenaFrame {
     fn asked_seat(&self) -> Result<Seat, Error> {
         match (&self.end, self.frame.player()) {
             (None, Some(seat)) => Ok(seat),
-            _ => Err(Error::input("answer", "the frame is over", "begin the next frame")),
+            _ => {
+                Err(ErrorKind::FrameOver.at("answer", "the frame is over", "begin the next frame"))
+            }
         }
     }
 

@@ -3,7 +3,7 @@
 use std::sync::LazyLock;
 
 use carom::format::{Node, Reader};
-use carom::{Error, Noise};
+use carom::{Error, ErrorKind, Noise};
 use carom_mind::literature::{self, Literature};
 use carom_mind::{Budget, LEVELS, Level, Player, Searcher};
 
@@ -64,7 +64,7 @@ impl BuiltInPlayer {
                 "write one of {}; a number of simulated shots may follow, as in carom:2000",
                 names.join(", ")
             );
-            return Err(Error::input("player", what, remedy));
+            return Err(ErrorKind::UnknownName.at("player", what, remedy).with("name", name));
         };
         let player = Self { name, settings, simulations };
         player.make()?;
@@ -115,7 +115,7 @@ impl BuiltInPlayer {
             return Searcher::read(self.name, &self.reader());
         }
         let what = format!("{} does not explain its plays", self.name);
-        Err(Error::input("player", what, "ask the player carom"))
+        Err(ErrorKind::Unsupported.at("player", what, "ask the player carom"))
     }
 
     /// Rejects a budget without a bound: the players of the literature plan with all simulated shots
@@ -129,7 +129,11 @@ impl BuiltInPlayer {
             return Ok(());
         }
         let what = format!("{} plans with a number of simulated shots, not with a time", self.name);
-        Err(Error::input("simulations", what, format!("give a number up to {MOST_PLANNED}")))
+        Err(ErrorKind::OutOfRange.at(
+            "simulations",
+            what,
+            format!("give a number up to {MOST_PLANNED}"),
+        ))
     }
 
     /// Whether it is the searching player, also at a level of strength, which can also explain a
@@ -165,20 +169,23 @@ impl BuiltInPlayer {
 
 /// The settings `KEY=VALUE,...]`: a value is a number, `true`, `false`, or a word.
 fn read_settings(text: &str) -> Result<Node, Error> {
-    let refuse = |what: String| {
-        Error::input("player", what, "write settings as in carom[shift=false,finalists=4]:2000")
+    let refuse = |kind: ErrorKind, what: String| {
+        kind.at("player", what, "write settings as in carom[shift=false,finalists=4]:2000")
     };
     let Some(inside) = text.strip_suffix(']') else {
-        return Err(refuse(format!("the settings \"[{text}\" have no end")));
+        return Err(refuse(ErrorKind::Syntax, format!("the settings \"[{text}\" have no end")));
     };
     let mut settings = Node::object([]);
     for setting in inside.split(',') {
         let Some((key, value)) = setting.split_once('=') else {
-            return Err(refuse(format!("\"{setting}\" is not a setting")));
+            return Err(refuse(ErrorKind::Syntax, format!("\"{setting}\" is not a setting")));
         };
         let (key, value) = (key.trim(), value.trim());
         if settings.get(key).is_some() {
-            return Err(refuse(format!("the setting \"{key}\" occurs twice")));
+            return Err(refuse(
+                ErrorKind::Duplicate,
+                format!("the setting \"{key}\" occurs twice"),
+            ));
         }
         let value = match Node::from_json(value) {
             Ok(value @ (Node::Bool(_) | Node::Integer(_) | Node::Number(_))) => value,
@@ -193,7 +200,7 @@ fn read_simulations(text: &str) -> Result<u32, Error> {
     text.parse().ok().filter(|number| *number > 0).ok_or_else(|| {
         let what = format!("\"{text}\" is not a number of simulated shots");
         let remedy = format!("write a whole number from 1 to {}, as in carom:2000", u32::MAX);
-        Error::input("player", what, remedy)
+        ErrorKind::Syntax.at("player", what, remedy)
     })
 }
 

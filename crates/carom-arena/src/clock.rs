@@ -1,6 +1,6 @@
 //! Clocks: how much a player may spend, in simulated shots or in seconds.
 
-use carom::Error;
+use carom::{Error, ErrorKind};
 use carom_mind::Spent;
 use carom_rules::games::eight_ball::Group;
 use carom_rules::{Frame, Objective, Seat};
@@ -92,7 +92,7 @@ impl Clock {
             return Ok(());
         }
         let what = format!("{:?} is not an amount for a clock", self.amount);
-        Err(Error::input("clock", what, remedy))
+        Err(ErrorKind::OutOfRange.at("clock", what, remedy))
     }
 
     /// What a decision costs on this clock.

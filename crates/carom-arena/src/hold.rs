@@ -5,10 +5,10 @@
 //! program leaves it, and the refusal names it.
 
 use std::fs::{self, File, TryLockError};
-use std::io::ErrorKind;
+use std::io;
 use std::path::{Path, PathBuf};
 
-use carom::Error;
+use carom::ErrorKind;
 
 use crate::error::ArenaError;
 
@@ -39,7 +39,7 @@ impl Hold {
     fn claim(running: PathBuf) -> Result<Self, ArenaError> {
         match File::create_new(&running) {
             Ok(_) => Ok(Self { running: Some(running) }),
-            Err(error) if error.kind() == ErrorKind::AlreadyExists => {
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
                 let remedy = "wait for its end, or choose another folder; if that program was killed, delete";
                 Err(refusal(&format!("{remedy} {}", running.display())))
             }
@@ -58,7 +58,7 @@ impl Drop for Hold {
 }
 
 fn refusal(remedy: &str) -> ArenaError {
-    Error::input("folder", "another program is playing this match", remedy).into()
+    ErrorKind::Busy.at("folder", "another program is playing this match", remedy).into()
 }
 
 #[cfg(test)]

@@ -10,11 +10,11 @@
 
 use std::collections::BTreeMap;
 use std::fs::{self, File, OpenOptions};
-use std::io::{BufRead, BufReader, BufWriter, ErrorKind, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
-use carom::Error;
 use carom::format::Node;
+use carom::{Error, ErrorKind};
 
 use crate::error::ArenaError;
 use crate::hold::Hold;
@@ -175,7 +175,7 @@ fn remove_working_files(folder: &Path) -> Result<(), ArenaError> {
     for name in [PLAYED, SECRET] {
         let path = folder.join(name);
         match fs::remove_file(&path) {
-            Err(error) if error.kind() != ErrorKind::NotFound => {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => {
                 return Err(ArenaError::file(&path)(error));
             }
             _ => {}
@@ -188,7 +188,7 @@ fn remove_working_files(folder: &Path) -> Result<(), ArenaError> {
 fn read_if_there(path: &Path) -> Result<Option<String>, ArenaError> {
     match fs::read_to_string(path) {
         Ok(text) => Ok(Some(text)),
-        Err(error) if error.kind() == ErrorKind::NotFound => Ok(None),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
         Err(error) => Err(ArenaError::file(path)(error)),
     }
 }
@@ -222,7 +222,11 @@ fn check_header(found: &str, expected: &str) -> Result<(), Error> {
         return Ok(());
     }
     let what = "it has another match, or this one from another version of the engine";
-    Err(Error::input("folder", what, "choose an empty folder, or the settings of that match"))
+    Err(ErrorKind::Mismatch.at(
+        "folder",
+        what,
+        "choose an empty folder, or the settings of that match",
+    ))
 }
 
 /// The points of the pairs of the finished record in `folder`.
@@ -307,7 +311,11 @@ fn read_played(
             let [one, other] = [frame_number(&before)?, frame_number(&node)?];
             if one % 2 != 0 || other != one + 1 {
                 let what = format!("frame {other} does not belong to frame {one} before it");
-                return Err(Error::input("frame", what, "remove the file, to play from the start"));
+                return Err(ErrorKind::Mismatch.at(
+                    "frame",
+                    what,
+                    "remove the file, to play from the start",
+                ));
             }
             Ok((one / 2, [frame_points(&before)?, frame_points(&node)?]))
         };

@@ -1,8 +1,8 @@
 //! Playing a record again, to the bit.
 
-use carom::Error;
 use carom::format::{Node, Reader};
 use carom::runner::Runner;
+use carom::{Error, ErrorKind};
 use carom_plan::Progress;
 use carom_rules::FrameSimulator;
 
@@ -87,7 +87,7 @@ pub fn replay(text: &str, runner: &Runner, progress: &Progress) -> Result<Replay
         runner.map((0..).zip(frames), FrameSimulator::new, |simulator, (index, line)| {
             if progress.is_stopped() {
                 let remedy = "start the replay again";
-                return Err(Error::input("progress", "the replay was stopped", remedy));
+                return Err(ErrorKind::Stopped.at("progress", "the replay was stopped", remedy));
             }
             let (node, line) = (read_line(line, index + 2)?, index + 2);
             let again = play_again(header, secret, index, &node, simulator, &mut |_| ());
@@ -136,7 +136,7 @@ pub fn positions<T: Send>(
 }
 
 fn incomplete() -> Error {
-    Error::input(
+    ErrorKind::Syntax.at(
         "",
         "the record ends before the line with the secret",
         "finish the match, or give a complete record",
@@ -155,7 +155,7 @@ fn play_again(
     let number = frame_number(node)?;
     if number != index {
         let what = format!("found frame {number}, but frame {index} is next");
-        return Err(Error::input("frame", what, "put the lines back in order"));
+        return Err(ErrorKind::Mismatch.at("frame", what, "put the lines back in order"));
     }
     let moves = read_moves(header.of.start(), &Reader::new(node, ""))?;
     let seeds = secret.pair_seeds(number / 2);

@@ -9,7 +9,7 @@
 
 use core::fmt::{self, Write};
 
-use carom::Error;
+use carom::{Error, ErrorKind};
 use chacha20::ChaCha20Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
 use sha2::{Digest, Sha256};
@@ -39,7 +39,7 @@ impl Secret {
         let mut bytes = [0; BYTES];
         match getrandom::fill(&mut bytes) {
             Ok(()) => Ok(Self(bytes)),
-            Err(error) => Err(Error::input(
+            Err(error) => Err(ErrorKind::System.at(
                 "secret",
                 format!("the operating system gives no random numbers ({error})"),
                 "give a secret of your own",
@@ -52,8 +52,9 @@ impl Secret {
     /// # Errors
     /// [`Error::Input`] at `secret` for another text.
     pub fn parse(hex: &str) -> Result<Self, Error> {
-        let wrong =
-            || Error::input("secret", "it does not have 64 hexadecimal digits", "correct it");
+        let wrong = || {
+            ErrorKind::Syntax.at("secret", "it does not have 64 hexadecimal digits", "correct it")
+        };
         if hex.len() != 2 * BYTES || !hex.bytes().all(|digit| digit.is_ascii_hexdigit()) {
             return Err(wrong());
         }

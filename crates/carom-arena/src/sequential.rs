@@ -16,8 +16,8 @@
 //! σᵢ² contains ten pairs of known variance ([`PairScores::variance`]), so that a few equal results
 //! do not end a test. The tests of this file measure the error rates.
 
-use carom::Error;
 use carom::math::log;
+use carom::{Error, ErrorKind};
 
 use crate::score::{PairScores, share_of_elo};
 
@@ -84,7 +84,11 @@ impl SequentialTest {
     /// [`Error::Input`] at `test.p0`, `test.p1`, `test.alpha` or `test.beta`.
     pub fn check(&self) -> Result<(), Error> {
         let wrong = |key: &str, value: f64, remedy: &str| {
-            Err(Error::input(format!("test.{key}"), format!("{value:?} is out of range"), remedy))
+            Err(ErrorKind::OutOfRange.at(
+                format!("test.{key}"),
+                format!("{value:?} is out of range"),
+                remedy,
+            ))
         };
         if !(self.p0 > 0.0 && self.p0 < 1.0) {
             return wrong("p0", self.p0, "write a share between 0 and 1, such as 0.5");

@@ -3,7 +3,7 @@
 use carom::format::Node;
 use carom::noise::Perception;
 use carom::shot::DEFAULT_MAX_EVENTS;
-use carom::{Error, Noise};
+use carom::{Error, ErrorKind, Noise};
 use carom_rules::{Frame, Game, Options, Play, recorded_setup};
 
 use crate::clock::Clock;
@@ -129,11 +129,19 @@ impl Match {
             let length = player.name.chars().count();
             if length == 0 || length > LONGEST_NAME || player.name.contains(char::is_control) {
                 let remedy = format!("write 1 to {LONGEST_NAME} printable characters");
-                return Err(Error::input(format!("players[{i}].name"), "it is not a name", remedy));
+                return Err(ErrorKind::Syntax.at(
+                    format!("players[{i}].name"),
+                    "it is not a name",
+                    remedy,
+                ));
             }
             if !matches!(player.settings, Node::Object(_)) {
                 let place = format!("players[{i}].settings");
-                return Err(Error::input(place, "they are not an object", "write an object {...}"));
+                return Err(ErrorKind::WrongType.at(
+                    place,
+                    "they are not an object",
+                    "write an object {...}",
+                ));
             }
         }
         if let Some(play) = &settings.same_break {
@@ -189,12 +197,18 @@ fn check(settings: &MatchSettings) -> Result<(), Error> {
         settings.clock[i].check().map_err(at)?;
     }
     if settings.max_events == 0 {
-        return Err(Error::input("max_events", "0 is out of range", "write at least 1"));
+        return Err(ErrorKind::OutOfRange.at(
+            "max_events",
+            "0 is out of range",
+            "write at least 1",
+        ));
     }
     match settings.breaker {
-        Breaker::Always(player) if player > 1 => {
-            Err(Error::input("breaker", format!("there is no player {player}"), "write 0 or 1"))
-        }
+        Breaker::Always(player) if player > 1 => Err(ErrorKind::OutOfRange.at(
+            "breaker",
+            format!("there is no player {player}"),
+            "write 0 or 1",
+        )),
         _ => Ok(()),
     }
 }

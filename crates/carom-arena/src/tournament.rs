@@ -4,9 +4,9 @@ use core::sync::atomic::{AtomicU64, Ordering};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
-use carom::Error;
 use carom::format::{Node, Reader};
 use carom::runner::Runner;
+use carom::{Error, ErrorKind};
 use carom_mind::{Budget, Player, Spent};
 use carom_plan::Progress;
 use carom_rules::FrameSimulator;
@@ -98,7 +98,7 @@ where
     if plan.pairs == 0 || plan.pairs > MOST_PAIRS {
         let what = format!("{} is out of range", plan.pairs);
         let remedy = format!("write a whole number from 1 to {MOST_PAIRS}");
-        return Err(Error::input("pairs", what, remedy).into());
+        return Err(ErrorKind::OutOfRange.at("pairs", what, remedy).into());
     }
     plan.test.as_ref().map_or(Ok(()), SequentialTest::check)?;
     let secret = match (plan.secret, Ledger::secret_in(folder)?) {
@@ -132,7 +132,7 @@ fn new_secret() -> Result<Secret, Error> {
 
 #[cfg(not(feature = "os-secret"))]
 fn new_secret() -> Result<Secret, Error> {
-    Err(Error::input("secret", "it is missing", "give one; this build cannot draw one"))
+    Err(ErrorKind::Missing.at("secret", "it is missing", "give one; this build cannot draw one"))
 }
 
 fn locked(board: &Mutex<Scoreboard>) -> MutexGuard<'_, Scoreboard> {

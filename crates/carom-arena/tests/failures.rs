@@ -62,7 +62,13 @@ fn ten_refused_answers_lose_nothing_and_are_explained() {
     let of = made(short(Game::NineBall));
     let mut simulator = FrameSimulator::new();
     let mut frame = ArenaFrame::begin(of.clone(), 0, SECRET.pair_seeds(0), &mut simulator).unwrap();
-    let fault = InputError { place: "line".into(), what: "not JSON".into(), remedy: "mend".into() };
+    let fault = InputError {
+        kind: carom::ErrorKind::Syntax,
+        details: Vec::new(),
+        place: "line".into(),
+        what: "not JSON".into(),
+        remedy: "mend".into(),
+    };
     let mut seen = Vec::new();
     for _ in 0..REFUSALS {
         let NextStep::Ask(ask) = frame.next() else { panic!("the same request") };

@@ -6,7 +6,7 @@ use carom::event::Recorder;
 use carom::format::{Node, SHOT_FORMAT};
 use carom::math::Vec3;
 use carom::shot::PlacedBall;
-use carom::{BallState, Error, MotionState, Shot, Simulator};
+use carom::{BallState, Error, ErrorKind, MotionState, Shot, Simulator};
 use carom_rules::{BallIndex, FrameBall, StateBytes, through_degrees};
 
 use crate::config::Config;
@@ -50,30 +50,41 @@ impl BareTable {
     pub(crate) fn start_at(&mut self, start: &EpisodeStart, config: &Config) -> Result<(), Error> {
         let EpisodeStart::Shot(shot) = start else {
             let remedy = "give a shot, or a dict of one";
-            return Err(Error::input("shot", "the task has no frames", remedy));
+            return Err(ErrorKind::Unsupported.at("shot", "the task has no frames", remedy));
         };
         check_same_place(&self.base, shot, config)?;
         self.places.fill(None);
         for (i, PlacedBall { id, ball, state }) in shot.balls().iter().enumerate() {
             let ids =
                 || self.balls.iter().map(|own| own.id.as_str()).collect::<Vec<_>>().join(", ");
-            let wrong = |key: &str, what: String, remedy: String| {
-                Err(Error::input(format!("balls[{i}]{key}"), what, remedy))
+            let wrong = |kind: ErrorKind, key: &str, what: String, remedy: String| {
+                Err(kind.at(format!("balls[{i}]{key}"), what, remedy))
             };
             let Some(index) = self.balls.iter().position(|own| own.id == *id) else {
                 let remedy =
                     format!("write one of {}, or make the environment with more balls", ids());
-                return wrong(".id", format!("the task has no ball \"{id}\""), remedy);
+                return wrong(
+                    ErrorKind::UnknownBall,
+                    ".id",
+                    format!("the task has no ball \"{id}\""),
+                    remedy,
+                );
             };
             if *ball != self.balls[index].ball {
                 return wrong(
+                    ErrorKind::Mismatch,
                     "",
                     "its mass or radius is not the task's".into(),
                     "leave them out".into(),
                 );
             }
             if state.motion != MotionState::Stationary {
-                return wrong("", "it moves".into(), "leave out its velocities".into());
+                return wrong(
+                    ErrorKind::Moving,
+                    "",
+                    "it moves".into(),
+                    "leave out its velocities".into(),
+                );
             }
             self.places[index] = Some([state.position.x, state.position.y]);
         }

@@ -1,6 +1,6 @@
 //! The settings of an environment.
 
-use carom::{Error, Noise};
+use carom::{Error, ErrorKind, Noise};
 use carom_rules::{GameFacts, Options, Scoring};
 
 use crate::modes::{AgentSeat, Aim, Autoreset, Opponent, Outside, TargetBall};
@@ -53,7 +53,7 @@ impl Rewards {
             [("win", win), ("pot", pot), ("foul", foul), ("point", point), ("failure", failure)]
         {
             if !value.is_finite() {
-                return Err(Error::input(
+                return Err(ErrorKind::OutOfRange.at(
                     format!("rewards.{name}"),
                     format!("{value} is not a finite number"),
                     "write a finite number",
@@ -150,45 +150,49 @@ impl Config {
         self.rewards.check()?;
         let [slow, fast] = self.speed;
         if !(0.0 < slow && slow <= fast && fast <= FASTEST) {
-            return Err(Error::input(
+            return Err(ErrorKind::OutOfRange.at(
                 "speed",
                 format!("[{slow:?}, {fast:?}] m/s is out of range"),
                 format!("write two speeds in (0, {FASTEST}], the lower one first"),
             ));
         }
         if !(0.0..=STEEPEST).contains(&self.elevation) {
-            return Err(Error::input(
+            return Err(ErrorKind::OutOfRange.at(
                 "max_elevation",
                 format!("{:?} rad is out of range", self.elevation),
                 format!("write an angle in [0, {STEEPEST}]"),
             ));
         }
         if self.max_steps == Some(0) {
-            return Err(Error::input("max_episode_steps", "0 is out of range", "write at least 1"));
+            return Err(ErrorKind::OutOfRange.at(
+                "max_episode_steps",
+                "0 is out of range",
+                "write at least 1",
+            ));
         }
         if task == Task::Potting && self.opponent != Opponent::None {
-            return Err(Error::input(
+            return Err(ErrorKind::Conflict.at(
                 "opponent",
                 "the potting task has one shot and no opponent",
                 "leave it out",
             ));
         }
         if let (Task::SumToThree, Opponent::Player(player)) = (task, &self.opponent) {
-            return Err(Error::input(
+            return Err(ErrorKind::Conflict.at(
                 "opponent",
                 format!("{} plays games with a referee, not {}", player.name(), task.name()),
                 "write none, random or potter, or choose a game",
             ));
         }
         if task == Task::SumToThree && self.opponent == Opponent::Outside(Outside::Player) {
-            return Err(Error::input(
+            return Err(ErrorKind::Conflict.at(
                 "opponent",
                 "a player with choose() plays games with a referee, not sum-to-three",
                 "give a policy: a function from observations to actions",
             ));
         }
         if self.opponent == Opponent::None && self.seat != AgentSeat::First {
-            return Err(Error::input(
+            return Err(ErrorKind::Conflict.at(
                 "seat",
                 "without an opponent the agent has both seats",
                 "leave it out, or give an opponent",
@@ -199,13 +203,15 @@ impl Config {
 
     fn check_balls(&self, task: Task) -> Result<(), Error> {
         let Some([least, most]) = self.balls else { return Ok(()) };
-        let wrong = |what: String, remedy: String| Err(Error::input("balls", what, remedy));
+        let wrong =
+            |kind: ErrorKind, what: String, remedy: String| Err(kind.at("balls", what, remedy));
         let Some([fewest, all]) = task.random_balls() else {
             let what = format!("{} always begins in the same way", task.name());
-            return wrong(what, "leave it out".into());
+            return wrong(ErrorKind::Conflict, what, "leave it out".into());
         };
         if least < fewest || least > most || most > all {
             return wrong(
+                ErrorKind::OutOfRange,
                 format!("[{least}, {most}] is out of range"),
                 format!("write two numbers in [{fewest}, {all}], the lower one first"),
             );

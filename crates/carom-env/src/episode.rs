@@ -3,7 +3,7 @@
 use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{BallInSpace, Cling};
-use carom::{Error, Shot};
+use carom::{Error, ErrorKind, Shot};
 use carom_rules::{BallIndex, Call, Choice, Fouls, Frame, FrameBall, FrameSimulator, Seat, Turn};
 
 use crate::config::Config;
@@ -120,7 +120,7 @@ pub(crate) trait Episode: Send + Sync {
     /// Takes a player's answer to a choice, or its concession (`None`), and answers every choice that
     /// follows from it, except those of the player. After an error the episode is over.
     fn choose(&mut self, _choice: Option<Choice>) -> Result<ShotResult, Error> {
-        Err(Error::input("choice", "the task has no referee", "play a shot"))
+        Err(ErrorKind::Unsupported.at("choice", "the task has no referee", "play a shot"))
     }
     /// Plays a shot, and answers every choice that follows from it, except those of a player. After
     /// an error the episode is over. The shot as it was played is added to `shots`.
@@ -138,7 +138,7 @@ pub(crate) trait Episode: Send + Sync {
 pub(crate) fn check_same_place(base: &Shot, start: &Shot, config: &Config) -> Result<(), Error> {
     let wrong = |what: &str, key: &str| {
         let remedy = format!("make the environment with {key}=, or give balls for its own");
-        Err(Error::input(key, format!("the shot is {what} than the environment"), remedy))
+        Err(ErrorKind::Mismatch.at(key, format!("the shot is {what} than the environment"), remedy))
     };
     let is_drawn = |of_table: bool| {
         config.randomize.iter().any(|one| one.path.starts_with("table.") == of_table)

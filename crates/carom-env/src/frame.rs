@@ -2,7 +2,7 @@
 
 use carom::event::NullRecorder;
 use carom::resolve::cue_ball::Strike;
-use carom::{Error, Shot};
+use carom::{Error, ErrorKind, Shot};
 use carom_rules::games::eight_ball::{EIGHT, Group};
 use carom_rules::{
     BallIndex, Call, Choice, Fouls, Frame, FrameBall, FrameSimulator, Game, Prepared, Request,
@@ -112,7 +112,11 @@ impl FrameEpisode {
         shots: Option<&mut Vec<Shot>>,
     ) -> Result<ShotResult, Error> {
         let Some(turn) = self.frame.turn().copied() else {
-            return Err(Error::input("step", "the episode is over", "reset the environment"));
+            return Err(ErrorKind::WrongState.at(
+                "step",
+                "the episode is over",
+                "reset the environment",
+            ));
         };
         let prepared = Prepared::new(&self.frame, strike.cue_ball)?;
         let [intended, actual] = [strike.intended, strike.actual].map(|s| through_degrees(&s));
@@ -232,20 +236,33 @@ impl Episode for FrameEpisode {
                 self.frame.resume_at(&places, 0)?;
             }
             EpisodeStart::Frame(frame) => {
-                let wrong = |what: String, remedy| Err(Error::input("frame", what, remedy));
+                let wrong =
+                    |kind: ErrorKind, what: String, remedy| Err(kind.at("frame", what, remedy));
                 let game = self.frame.game();
                 if frame.game() != game {
                     let what = format!("it is {}, not {}", frame.game().name(), game.name());
-                    return wrong(what, "give a frame of the environment's game");
+                    return wrong(
+                        ErrorKind::Mismatch,
+                        what,
+                        "give a frame of the environment's game",
+                    );
                 }
                 check_same_place(self.frame.base(), frame.base(), config)?;
                 if frame.is_over() {
-                    return wrong("it is over".into(), "give one that asks for a shot or a choice");
+                    return wrong(
+                        ErrorKind::FrameOver,
+                        "it is over".into(),
+                        "give one that asks for a shot or a choice",
+                    );
                 }
                 let counts = frame.facts().has_target();
                 if counts && frame.options().points != self.points {
                     let what = format!("it is to {} points", frame.options().points);
-                    return wrong(what, "make the environment with the same points=");
+                    return wrong(
+                        ErrorKind::Mismatch,
+                        what,
+                        "make the environment with the same points=",
+                    );
                 }
                 self.frame.clone_from(frame);
             }

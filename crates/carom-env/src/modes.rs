@@ -1,7 +1,6 @@
 //! The options of an environment that have names.
 
-use carom::Error;
-use carom::error::InputError;
+use carom::{Error, ErrorKind};
 use carom_arena::BuiltInPlayer;
 use carom_mind::Budget;
 
@@ -171,7 +170,9 @@ impl Opponent {
                 "write one of {}; a number of simulated shots may follow a player, as in carom:200",
                 names.join(", ")
             );
-            return Err(Error::input("opponent", format!("there is no \"{name}\""), remedy));
+            return Err(ErrorKind::UnknownName
+                .at("opponent", format!("there is no \"{name}\""), remedy)
+                .with("name", name));
         }
         let player = BuiltInPlayer::read(name).map_err(at_opponent)?;
         let budget = Budget::simulations(simulations_of(&player));
@@ -188,10 +189,10 @@ pub(crate) fn simulations_of(player: &BuiltInPlayer) -> u64 {
 /// An error at the place of a player (`player`, `player.KEY`, `simulations`), as one at the opponent.
 fn at_opponent(error: Error) -> Error {
     match error {
-        Error::Input(fault) => {
-            let InputError { place, what, remedy } = *fault;
-            let key = place.strip_prefix("player").unwrap_or_default();
-            Error::input(format!("opponent{key}"), what, remedy)
+        Error::Input(ref fault) => {
+            let key = fault.place.strip_prefix("player").unwrap_or_default();
+            let place = format!("opponent{key}");
+            error.at(place)
         }
         other => other,
     }

@@ -1,6 +1,6 @@
 //! Reading the names of options.
 
-use carom::Error;
+use carom::{Error, ErrorKind};
 
 /// The value of `all` that is called `name`, for the argument `place`.
 pub(crate) fn named<T: Copy>(
@@ -11,10 +11,12 @@ pub(crate) fn named<T: Copy>(
 ) -> Result<T, Error> {
     all.iter().copied().find(|value| name_of(*value) == name).ok_or_else(|| {
         let names: Vec<&str> = all.iter().map(|value| name_of(*value)).collect();
-        Error::input(
-            place,
-            format!("there is no \"{name}\""),
-            format!("write one of {}", names.join(", ")),
-        )
+        ErrorKind::UnknownName
+            .at(
+                place,
+                format!("there is no \"{name}\""),
+                format!("write one of {}", names.join(", ")),
+            )
+            .with("name", name)
     })
 }

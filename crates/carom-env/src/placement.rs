@@ -3,7 +3,7 @@
 use core::f64::consts::PI;
 
 use carom::math::{Vec2, sin_cos, sqrt};
-use carom::{Error, Table};
+use carom::{Error, ErrorKind, Table};
 use carom_rules::{BallIndex, FrameBall, Region};
 
 use crate::episode::Episode;
@@ -94,7 +94,7 @@ pub(crate) fn scatter(
         }
         (0..balls.len()).filter(|ball| wanted[*ball]).for_each(|ball| places[ball] = None);
     }
-    Err(Error::input(
+    Err(ErrorKind::NoRoom.at(
         "balls",
         "there is no room for this number of balls",
         "ask for fewer balls, or choose a larger table",

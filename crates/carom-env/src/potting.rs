@@ -1,6 +1,6 @@
 //! The potting task: one shot at randomly placed balls.
 
-use carom::{Error, Shot};
+use carom::{Error, ErrorKind, Shot};
 use carom_rules::{
     BallIndex, BallList, Calls, Foul, Fouls, FrameBall, FrameSimulator, StateBytes, Turn,
 };
@@ -35,7 +35,7 @@ impl Potting {
         let table = setup.table.clone().unwrap_or_else(|| Task::Potting.table().into());
         let table = BareTable::new(table, setup.physics.clone(), ids)?;
         if table.base.table().pockets.is_empty() {
-            return Err(Error::input(
+            return Err(ErrorKind::Unsupported.at(
                 "table",
                 "a table without pockets has no pots",
                 "choose a table with pockets",
@@ -118,7 +118,11 @@ impl Episode for Potting {
         if is_missing(CUE.into()) || target {
             let missing = if target { "a ball to pot" } else { "the cue ball" };
             let what = format!("{missing} is missing");
-            return Err(Error::input("balls", what, "give the balls \"cue\" and \"1\" at least"));
+            return Err(ErrorKind::Missing.at(
+                "balls",
+                what,
+                "give the balls \"cue\" and \"1\" at least",
+            ));
         }
         self.set_targets();
         self.over = false;

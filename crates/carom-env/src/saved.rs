@@ -1,6 +1,6 @@
 //! The bytes of a saved state: a name, a version, the settings, the state itself, and a checksum.
 
-use carom::Error;
+use carom::{Error, ErrorKind};
 use carom_rules::StateBytes;
 
 use crate::config::Config;
@@ -62,15 +62,15 @@ pub(crate) fn unpack<'a>(
     settings: &[(String, String)],
     state: &'a [u8],
 ) -> Result<&'a [u8], Error> {
-    let wrong = |what: String, remedy: &str| Err(Error::input("state", what, remedy));
+    let wrong = |kind: ErrorKind, what: String, remedy: &str| Err(kind.at("state", what, remedy));
     let Some(mut bytes) = state.strip_prefix(NAME) else {
         let what = "these bytes are not the state of environments".to_owned();
-        return wrong(what, "give the bytes that get_state returned");
+        return wrong(ErrorKind::Syntax, what, "give the bytes that get_state returned");
     };
     let version = u32::read_from(&mut bytes).ok_or_else(damaged)?;
     if version != VERSION {
         let what = format!("it has version {version} of the format, and this is version {VERSION}");
-        return wrong(what, "read it with the version of carom that wrote it");
+        return wrong(ErrorKind::Format, what, "read it with the version of carom that wrote it");
     }
     let (whole, mut sum) =
         state.split_last_chunk::<8>().map(|(a, b)| (a, &b[..])).ok_or_else(damaged)?;
@@ -87,7 +87,11 @@ pub(crate) fn unpack<'a>(
                 short(other.unwrap_or("unknown")),
                 short(value)
             );
-            return wrong(what, "make the environments with the same task and settings");
+            return wrong(
+                ErrorKind::Mismatch,
+                what,
+                "make the environments with the same task and settings",
+            );
         }
     }
     Ok(bytes)
@@ -106,7 +110,7 @@ fn read_settings(bytes: &mut &[u8]) -> Option<Vec<(String, String)>> {
 
 /// The error for bytes that are a state, but not a whole one.
 pub(crate) fn damaged() -> Error {
-    Error::input("state", "its bytes are damaged", "give the bytes that get_state returned")
+    ErrorKind::Syntax.at("state", "its bytes are damaged", "give the bytes that get_state returned")
 }
 
 /// At most 80 characters of `text`.

@@ -1,8 +1,8 @@
 //! The table and the physics of an environment, and variables of both that every episode draws.
 
-use carom::Error;
 use carom::format::Node;
 use carom::sample::Distribution;
+use carom::{Error, ErrorKind};
 
 use crate::random::Dice;
 
@@ -43,14 +43,14 @@ impl VariableLaw {
 
     /// The law in `node`, at `place`: two numbers for a uniform one, or an object with its name as the key.
     fn from_node(node: &Node, place: &str) -> Result<Self, Error> {
-        let wrong = |what: &str, remedy: &str| Err(Error::input(place, what, remedy));
+        let wrong = |kind: ErrorKind, what: &str, remedy: &str| Err(kind.at(place, what, remedy));
         let (name, numbers) = match node {
             Node::List(_) => ("uniform", node),
             Node::Object(fields) if fields.len() == 1 => (fields[0].0.as_str(), &fields[0].1),
             _ => {
                 let remedy =
                     format!("write (low, high), or one of {} with its numbers", Self::NAMES);
-                return wrong("it is not a law", &remedy);
+                return wrong(ErrorKind::WrongType, "it is not a law", &remedy);
             }
         };
         let numbers: Option<Vec<f64>> = match numbers {
@@ -59,18 +59,26 @@ impl VariableLaw {
         };
         let numbers = numbers.filter(|numbers| numbers.iter().all(|x| x.is_finite()));
         let Some(numbers) = numbers.filter(|numbers| !numbers.is_empty()) else {
-            return wrong("it does not have finite numbers", "write a list of numbers");
+            return wrong(
+                ErrorKind::WrongType,
+                "it does not have finite numbers",
+                "write a list of numbers",
+            );
         };
         let pair = || match numbers[..] {
             [a, b] => Ok([a, b]),
-            _ => Err(Error::input(place, format!("{name} has two numbers"), "write two numbers")),
+            _ => Err(ErrorKind::WrongCount.at(
+                place,
+                format!("{name} has two numbers"),
+                "write two numbers",
+            )),
         };
         let rising = || {
             pair().and_then(|[low, high]| {
                 if low <= high {
                     Ok([low, high])
                 } else {
-                    Err(Error::input(place, "the first number is larger", "swap them"))
+                    Err(ErrorKind::OutOfRange.at(place, "the first number is larger", "swap them"))
                 }
             })
         };
@@ -79,17 +87,22 @@ impl VariableLaw {
                 rising().map(|[low, high]| Self::Distribution(Distribution::Uniform(low, high)))
             }
             "log_uniform" => match rising()? {
-                [low, _] if low <= 0.0 => wrong("a logarithm needs numbers above 0", "raise them"),
+                [low, _] if low <= 0.0 => {
+                    wrong(ErrorKind::OutOfRange, "a logarithm needs numbers above 0", "raise them")
+                }
                 [low, high] => Ok(Self::Distribution(Distribution::LogUniform(low, high))),
             },
             "normal" => match pair()? {
-                [_, deviation] if deviation < 0.0 => {
-                    wrong("the standard deviation is negative", "write it without the sign")
-                }
+                [_, deviation] if deviation < 0.0 => wrong(
+                    ErrorKind::OutOfRange,
+                    "the standard deviation is negative",
+                    "write it without the sign",
+                ),
                 [mean, deviation] => Ok(Self::Distribution(Distribution::Normal(mean, deviation))),
             },
             "choice" => Ok(Self::Choice(numbers)),
             _ => wrong(
+                ErrorKind::UnknownName,
                 &format!("there is no law \"{name}\""),
                 &format!("write one of {}", Self::NAMES),
             ),
@@ -120,7 +133,7 @@ impl Variable {
     pub fn read_all(node: &Node) -> Result<Vec<Self>, Error> {
         let Node::Object(fields) = node else {
             let remedy = "write keys of the physics with laws, such as cloth.rolling_friction: (0.008, 0.012)";
-            return Err(Error::input("randomize", "it is not an object", remedy));
+            return Err(ErrorKind::WrongType.at("randomize", "it is not an object", remedy));
         };
         let read = |(path, law): &(String, Node)| {
             let law = VariableLaw::from_node(law, &format!("randomize.{path}"))?;
@@ -249,14 +262,18 @@ mod tests {
             _ => f64::NAN,
         };
         let refuse = |setup: &Setup| {
-            if number(setup) > 0.0 { Ok(()) } else { Err(carom::Error::input("a", "b", "c")) }
+            if number(setup) > 0.0 {
+                Ok(())
+            } else {
+                Err(carom::ErrorKind::OutOfRange.at("a", "b", "c"))
+            }
         };
         for seed in 0..200 {
             assert!(Setup::default().draw(&variables, seed, refuse).expect("a draw")[0] > 0.0);
         }
         assert!(
             Setup::default()
-                .draw(&variables, 0, |_| Err(carom::Error::input("a", "b", "c")))
+                .draw(&variables, 0, |_| Err(carom::ErrorKind::OutOfRange.at("a", "b", "c")))
                 .is_err()
         );
     }

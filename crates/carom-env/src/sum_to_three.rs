@@ -5,7 +5,7 @@
 //! The definition is that of pooltool's ruleset `sum_to_three`, which does not mention balls that
 //! leave the table. Here such a shot scores nothing, and the ball is put back on its spot.
 
-use carom::{Error, Shot};
+use carom::{Error, ErrorKind, Shot};
 use carom_rules::{
     BallIndex, BallList, Calls, Foul, Fouls, FrameBall, FrameSimulator, StateBytes, Turn,
 };
@@ -54,7 +54,7 @@ impl SumToThree {
         let ids = ["cue", "object"].into_iter().map(String::from);
         let table = BareTable::new(table, setup.physics.clone(), ids)?;
         if !table.base.table().pockets.is_empty() || !table.base.table().size.x.is_finite() {
-            return Err(Error::input(
+            return Err(ErrorKind::Unsupported.at(
                 "table",
                 "sum-to-three is played on a table with cushions and without pockets",
                 "choose carom-10ft, carom-9ft, or a rectangle",
@@ -149,7 +149,7 @@ impl Episode for SumToThree {
         self.table.start_at(start, config)?;
         if self.table.places.contains(&None) {
             let remedy = "give both, \"cue\" and \"object\"";
-            return Err(Error::input("balls", "a ball is missing", remedy));
+            return Err(ErrorKind::Missing.at("balls", "a ball is missing", remedy));
         }
         Ok(())
     }

@@ -7,7 +7,7 @@ use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use carom::shot::PlacedBall;
-use carom::{BallState, Error, Noise, Shot};
+use carom::{BallState, Error, ErrorKind, Noise, Shot};
 use carom_rules::{Fouls, Frame, FrameBall, FrameSimulator, Play, Seat, StateBytes};
 
 use crate::action::{ACTIONS, ACTIONS_WITHOUT_HAND};
@@ -108,7 +108,7 @@ pub type Answers<'a, E> = dyn FnMut(&[Asked<'_>]) -> Result<Vec<Reply>, E> + 'a;
 /// The opponent of a vector that has none outside.
 fn nobody(_: &[Asked<'_>]) -> Result<Vec<Reply>, Error> {
     let remedy = "call reset_against and step_against with it";
-    Err(Error::input("opponent", "it is outside the environments", remedy))
+    Err(ErrorKind::WrongState.at("opponent", "it is outside the environments", remedy))
 }
 
 /// A vector of independent environments of one task. A clone has the same state and is independent
@@ -133,7 +133,7 @@ impl VectorEnv {
     /// cannot be played.
     pub fn new(task: Task, n: usize, seed: u64, config: Config) -> Result<Self, Error> {
         if n > MAX_ENVIRONMENTS {
-            return Err(Error::input(
+            return Err(ErrorKind::OutOfRange.at(
                 "n",
                 format!("{n} environments are too many"),
                 format!("ask for at most {MAX_ENVIRONMENTS}"),
@@ -151,7 +151,11 @@ impl VectorEnv {
             .collect();
         if setups.len() != 1 && setups.len() != n {
             let what = format!("there are {} for {n} environments", setups.len());
-            return Err(Error::input("setups", what, "give one, or one for each environment"));
+            return Err(ErrorKind::WrongCount.at(
+                "setups",
+                what,
+                "give one, or one for each environment",
+            ));
         }
         let episodes = config.setups.iter().enumerate().map(|(index, setup)| {
             environment::episode(task, &config, setup).map_err(|error| match config.setups.len() {
@@ -427,7 +431,7 @@ impl VectorEnv {
         if !self.interrupted {
             return Ok(());
         }
-        Err(Error::input(
+        Err(ErrorKind::WrongState.at(
             "environment",
             "its last step or reset did not end",
             "reset every environment, or set an earlier state",
@@ -463,7 +467,11 @@ impl VectorEnv {
         check_length("seeds", seeds.map_or(n, <[u64]>::len), n)?;
         if n > MAX_ENVIRONMENTS {
             let what = format!("{n} copies are too many");
-            return Err(Error::input("n", what, format!("ask for at most {MAX_ENVIRONMENTS}")));
+            return Err(ErrorKind::OutOfRange.at(
+                "n",
+                what,
+                format!("ask for at most {MAX_ENVIRONMENTS}"),
+            ));
         }
         let setups = self.config.setups.get(index).or(self.config.setups.first());
         let config = Config {
@@ -601,7 +609,7 @@ impl VectorEnv {
         let environment = self.environment(index)?;
         if viewer > 1 {
             let what = format!("there is no player {viewer}");
-            return Err(Error::input("player", what, "write 0 or 1"));
+            return Err(ErrorKind::OutOfRange.at("player", what, "write 0 or 1"));
         }
         let mut out = vec![0.0; self.observation_size()];
         environment.observe(viewer, &mut out);
@@ -651,7 +659,7 @@ impl VectorEnv {
         let count = self.len();
         self.environments.get(index).ok_or_else(|| {
             let what = format!("there is no environment {index}");
-            Error::input("index", what, format!("write a number below {count}"))
+            ErrorKind::OutOfRange.at("index", what, format!("write a number below {count}"))
         })
     }
 }
@@ -735,5 +743,9 @@ fn check_length(place: &str, found: usize, wanted: usize) -> Result<(), Error> {
     if found == wanted {
         return Ok(());
     }
-    Err(Error::input(place, format!("its length is {found}"), format!("give {wanted} numbers")))
+    Err(ErrorKind::WrongCount.at(
+        place,
+        format!("its length is {found}"),
+        format!("give {wanted} numbers"),
+    ))
 }

@@ -2,7 +2,7 @@
 
 use carom::noise::Perception;
 use carom::runner::Runner;
-use carom::{Error, Noise};
+use carom::{Error, ErrorKind, Noise};
 use carom_rules::{Choice, Frame, Play, Request, Seat};
 
 /// What a player knows before a decision.
@@ -34,7 +34,11 @@ impl<'a> Situation<'a> {
         }
         self.perception.check()?;
         let seat = self.frame.player().ok_or_else(|| {
-            Error::input("frame", "it is over, so there is nothing to choose", "begin a new frame")
+            ErrorKind::FrameOver.at(
+                "frame",
+                "it is over, so there is nothing to choose",
+                "begin a new frame",
+            )
         })?;
         Ok((seat, self.frame.request()))
     }

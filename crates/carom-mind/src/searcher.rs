@@ -2,8 +2,8 @@
 
 mod choices;
 
-use carom::Error;
 use carom::format::Reader;
+use carom::{Error, ErrorKind};
 use carom_rules::Request;
 
 use crate::player::{Answer, Budget, Decision, Player, Situation};
@@ -88,7 +88,11 @@ impl Searcher {
     ) -> Result<ShotSearch<'a>, Error> {
         let task = self.task(situation, budget)?;
         if plays == 0 {
-            return Err(Error::input("count", "0 plays are nothing", "ask for at least 1"));
+            return Err(ErrorKind::OutOfRange.at(
+                "count",
+                "0 plays are nothing",
+                "ask for at least 1",
+            ));
         }
         Ok(ShotSearch::new(task, plays))
     }
@@ -125,7 +129,7 @@ impl ShotSearch<'_> {
         let SearchTask { shot, settings, .. } = self.task;
         let Found { candidates, spent } = self.found()?;
         let Some(best) = candidates.first() else {
-            return Err(Error::input(
+            return Err(ErrorKind::NoPlay.at(
                 "frame",
                 "no strike can be played from this position",
                 "look at the places of the balls",
@@ -156,7 +160,9 @@ impl Player for Searcher {
                 search.decision()
             }
             Request::Choice { choices, .. } => self.choose(situation, budget, seat, choices),
-            Request::Over { .. } => Err(Error::input("frame", "it is over", "begin a new frame")),
+            Request::Over { .. } => {
+                Err(ErrorKind::FrameOver.at("frame", "it is over", "begin a new frame"))
+            }
         }
     }
 }

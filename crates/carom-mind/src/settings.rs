@@ -1,8 +1,8 @@
 //! The settings of the searching player.
 
-use carom::Error;
 use carom::format::Reader;
 use carom::rack::Game;
+use carom::{Error, ErrorKind};
 
 use crate::breaks::BreakShot;
 
@@ -127,7 +127,7 @@ impl SearchSettings {
         REMOVED.into_iter().find_map(|key| object.get(key)).map_or(Ok(()), |value| {
             let what =
                 "it was removed: no other search was better than the race by sequential halving";
-            Err(value.refuse(what, "leave it out"))
+            Err(value.refuse(ErrorKind::UnknownName, what, "leave it out"))
         })
     }
 
@@ -141,7 +141,11 @@ impl SearchSettings {
             let Some(value) = object.get(key) else { return Ok(usual) };
             let share = value.number()?;
             if !(0.0..=0.9).contains(&share) {
-                return Err(value.refuse("it is not a share", "write a number from 0 to 0.9"));
+                return Err(value.refuse(
+                    ErrorKind::OutOfRange,
+                    "it is not a share",
+                    "write a number from 0 to 0.9",
+                ));
             }
             Ok(share)
         };
@@ -165,8 +169,8 @@ impl SearchSettings {
         if let Some((key, what, remedy)) = settings.leaves_too_little() {
             let value = object.get(key).or_else(|| object.get("replying"));
             return Err(value.map_or_else(
-                || Error::input("settings", what.clone(), remedy.clone()),
-                |value| value.refuse(what.clone(), remedy.clone()),
+                || ErrorKind::Conflict.at("settings", what.clone(), remedy.clone()),
+                |value| value.refuse(ErrorKind::Conflict, what.clone(), remedy.clone()),
             ));
         }
         if let Some(value) = object.get("break") {
@@ -208,11 +212,11 @@ impl SearchSettings {
             if !(0.0..=0.9).contains(&share) {
                 let (place, what) =
                     (format!("settings.{key}"), format!("{share:?} is not a share"));
-                return Err(Error::input(place, what, "write a number from 0 to 0.9"));
+                return Err(ErrorKind::OutOfRange.at(place, what, "write a number from 0 to 0.9"));
             }
         }
         if let Some((key, what, remedy)) = self.leaves_too_little() {
-            return Err(Error::input(format!("settings.{key}"), what, remedy));
+            return Err(ErrorKind::Conflict.at(format!("settings.{key}"), what, remedy));
         }
         for (key, value) in [
             ("racing", self.racing as u64),
@@ -223,7 +227,11 @@ impl SearchSettings {
         ] {
             if value == 0 {
                 let place = format!("settings.{key}");
-                return Err(Error::input(place, "0 is out of range", "write at least 1"));
+                return Err(ErrorKind::OutOfRange.at(
+                    place,
+                    "0 is out of range",
+                    "write at least 1",
+                ));
             }
         }
         match self.break_shot {

@@ -3,7 +3,7 @@
 use carom::batch::{self, BatchResult, OFF_TABLE};
 use carom::rack::{Break, break_shot};
 use carom::runner::Runner;
-use carom::{Error, Shot};
+use carom::{Error, ErrorKind, Shot};
 use carom_rules::GameFacts;
 
 use crate::error_model::ErrorModel;
@@ -92,12 +92,16 @@ pub fn breaks(
     model.check()?;
     if !(1..=MOST_RACKS).contains(&model.variants) {
         let what = format!("{} is out of range", model.variants);
-        return Err(Error::input("racks", what, format!("give 1 to {MOST_RACKS}")));
+        return Err(ErrorKind::OutOfRange.at("racks", what, format!("give 1 to {MOST_RACKS}")));
     }
     let columns = break_shot(opening)?;
     if columns.table().pockets.is_empty() && !GameFacts::of(opening.game).is_carom() {
         let what = format!("{} needs a table with pockets", opening.game.name());
-        return Err(Error::input("table", what, "choose a table for this game, or leave it out"));
+        return Err(ErrorKind::Unsupported.at(
+            "table",
+            what,
+            "choose a table for this game, or leave it out",
+        ));
     }
     let runner = Runner::new(threads)?;
     let mut statistics = BreakStatistics::new(columns.balls().len(), columns.table().pockets.len());

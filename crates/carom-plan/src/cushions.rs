@@ -7,7 +7,7 @@ use carom::math::{Vec3, sin_cos};
 use carom::resolve::cue_ball::Strike;
 use carom::shot::PlacedBall;
 use carom::table::{Part, Rail};
-use carom::{BallState, Error, Shot, Simulator};
+use carom::{BallState, Error, ErrorKind, Shot, Simulator};
 
 use crate::grid::{check_cells, each_cell};
 use crate::maps::{FASTEST_BALL, check_each, check_has_edges};
@@ -45,7 +45,7 @@ pub fn kick_table(
     progress: &Progress,
 ) -> Result<Vec<Vec<CushionContact>>, Error> {
     let Some((struck, own)) = shot.strike() else {
-        return Err(Error::input(
+        return Err(ErrorKind::NoStrike.at(
             "strike",
             "the shot has no strike",
             "give it one: it names the ball that is struck",
@@ -86,7 +86,11 @@ pub fn bank_table(
     progress: &Progress,
 ) -> Result<Vec<Vec<CushionContact>>, Error> {
     let Some(own) = shot.balls().get(ball) else {
-        return Err(Error::input("ball", format!("there is no ball {ball}"), "count from 0"));
+        return Err(ErrorKind::UnknownBall.at(
+            "ball",
+            format!("there is no ball {ball}"),
+            "count from 0",
+        ));
     };
     check_has_edges(shot)?;
     check_each("speed", speeds, |v| 0.0 < v && v <= FASTEST_BALL, "give m/s, > 0 and <= 100")?;

@@ -1,7 +1,7 @@
 //! The errors of a player, and the sampling of a probability up to a precision.
 
 use carom::noise::{Errors, Perception};
-use carom::{Error, Noise};
+use carom::{Error, ErrorKind, Noise};
 
 use crate::interval::{Interval, wilson};
 use crate::progress::Progress;
@@ -99,7 +99,7 @@ pub fn check_level(level: f64) -> Result<(), Error> {
         return Ok(());
     }
     let what = format!("{level:?} is not a confidence level");
-    Err(Error::input("level", what, "give a number between 0 and 1, such as 0.95"))
+    Err(ErrorKind::OutOfRange.at("level", what, "give a number between 0 and 1, such as 0.95"))
 }
 
 /// Rejects an invalid half-width.
@@ -108,7 +108,11 @@ fn check_half_width(half_width: f64) -> Result<(), Error> {
         return Ok(());
     }
     let what = format!("{half_width:?} is not a half-width of a probability's interval");
-    Err(Error::input("precision", what, "give a number between 0 and 0.5, such as 0.01"))
+    Err(ErrorKind::OutOfRange.at(
+        "precision",
+        what,
+        "give a number between 0 and 0.5, such as 0.01",
+    ))
 }
 
 /// A probability that was counted.

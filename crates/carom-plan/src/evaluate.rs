@@ -14,7 +14,7 @@ use carom::batch::{self, BatchResult, OFF_TABLE, PADDING};
 use carom::noise::StruckBall;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
-use carom::{Error, Shot};
+use carom::{Error, ErrorKind, Shot};
 
 use crate::error_model::ErrorModel;
 use crate::interval::{Interval, wilson};
@@ -72,7 +72,9 @@ impl Watched {
                 _ => {
                     let ids: Vec<_> = shot.balls().iter().map(|b| b.id.as_str()).collect();
                     let remedy = format!("write scratch, legal or one of {}", ids.join(", "));
-                    Err(Error::input("watch", format!("there is no ball \"{name}\""), remedy))
+                    Err(ErrorKind::UnknownBall
+                        .at("watch", format!("there is no ball \"{name}\""), remedy)
+                        .with("ball", name))
                 }
             };
         };
@@ -82,7 +84,9 @@ impl Watched {
         index.map(|index| Self::Pocket(ball, index)).ok_or_else(|| {
             let names: Vec<_> = pockets.iter().map(|p| p.name.name()).collect();
             let remedy = format!("write one of {}", names.join(", "));
-            Error::input("watch", format!("there is no pocket \"{pocket}\""), remedy)
+            ErrorKind::UnknownName
+                .at("watch", format!("there is no pocket \"{pocket}\""), remedy)
+                .with("name", pocket)
         })
     }
 }
@@ -197,24 +201,38 @@ fn draw(shot: &Shot, model: &ErrorModel, variants: Range<u64>, runner: &Runner) 
 const DRAWN: usize = 128;
 
 fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {
-    let refuse = |place: &str, what: String, remedy: &str| Err(Error::input(place, what, remedy));
+    let refuse = |kind: ErrorKind, place: &str, what: String, remedy: &str| {
+        Err(kind.at(place, what, remedy))
+    };
     if shot.strike().is_none() {
-        return refuse("strike", "the shot has no strike to vary".into(), "give it one");
+        return refuse(
+            ErrorKind::NoStrike,
+            "strike",
+            "the shot has no strike to vary".into(),
+            "give it one",
+        );
     }
     question.model.check()?;
     if question.model.variants > MOST_VARIANTS {
         let what = format!("{} is out of range", question.model.variants);
-        return refuse("n", what, &format!("give at most {MOST_VARIANTS}"));
+        return refuse(ErrorKind::OutOfRange, "n", what, &format!("give at most {MOST_VARIANTS}"));
     }
     let (balls, pockets) = (shot.balls().len(), shot.table().pockets.len());
     match question.watched {
-        Watched::Ball(ball) | Watched::Pocket(ball, _) if ball >= balls => {
-            refuse("watch", format!("there is no ball {ball}"), "count the balls from 0")
-        }
-        Watched::Pocket(_, pocket) if pocket >= pockets => {
-            refuse("watch", format!("there is no pocket {pocket}"), "count the pockets from 0")
-        }
+        Watched::Ball(ball) | Watched::Pocket(ball, _) if ball >= balls => refuse(
+            ErrorKind::UnknownBall,
+            "watch",
+            format!("there is no ball {ball}"),
+            "count the balls from 0",
+        ),
+        Watched::Pocket(_, pocket) if pocket >= pockets => refuse(
+            ErrorKind::UnknownName,
+            "watch",
+            format!("there is no pocket {pocket}"),
+            "count the pockets from 0",
+        ),
         Watched::Legal if question.referee.is_none() => refuse(
+            ErrorKind::Missing,
             "watch",
             "the legality of a shot needs a frame".into(),
             "give the frame in which the shot is played",
@@ -278,7 +296,7 @@ impl Evaluation {
     fn reserve(&mut self, count: usize) -> Result<(), Error> {
         self.cue_ball_ends.try_reserve(count).map_err(|_| {
             let what = format!("no memory for more than {} variants", self.variants);
-            Error::input("n", what, "give fewer, or a precision")
+            ErrorKind::System.at("n", what, "give fewer, or a precision")
         })
     }
 

@@ -4,7 +4,7 @@ use carom::event::{Event, EventKind, Recorder};
 use carom::math::Vec2;
 use carom::noise::StruckBall;
 use carom::resolve::cue_ball::Strike;
-use carom::{Error, MotionState, Shot, Simulator};
+use carom::{Error, ErrorKind, MotionState, Shot, Simulator};
 
 use crate::error_model::{Chance, ErrorModel};
 use crate::places::{Places, distance};
@@ -44,9 +44,12 @@ impl Goal {
     /// [`Error::Input`] for a goal without parts, a ball or pocket that does not exist, the cue ball as
     /// object ball, a disc without size, and a shot without a strike, which names the cue ball.
     pub fn check(&self, shot: &Shot) -> Result<(), Error> {
-        let refuse = |place: &str, what: &str, remedy: &str| Err(Error::input(place, what, remedy));
+        let refuse = |kind: ErrorKind, place: &str, what: &str, remedy: &str| {
+            Err(kind.at(place, what, remedy))
+        };
         let Some((cue_ball, _)) = shot.strike() else {
             return refuse(
+                ErrorKind::NoStrike,
                 "strike",
                 "the shot has no strike",
                 "give it one: it names the ball that is struck",
@@ -54,6 +57,7 @@ impl Goal {
         };
         if *self == Self::default() {
             return refuse(
+                ErrorKind::Missing,
                 "goal",
                 "it is empty",
                 "name a ball to pot, a disc to leave the cue ball in, or a ball to hit first",
@@ -62,18 +66,29 @@ impl Goal {
         let (balls, pockets) = (shot.balls().len(), shot.table().pockets.len());
         for ball in self.pot.iter().map(|(ball, _)| *ball).chain(self.first) {
             if ball >= balls || ball == cue_ball {
-                return refuse("goal", "there is no such object ball", "name a ball of the shot");
+                return refuse(
+                    ErrorKind::UnknownBall,
+                    "goal",
+                    "there is no such object ball",
+                    "name a ball of the shot",
+                );
             }
         }
         if let Some((_, pocket)) = self.pot
             && pocket.map_or(pockets == 0, |pocket| pocket >= pockets)
         {
-            return refuse("goal", "the table has no such pocket", "name one of its pockets");
+            return refuse(
+                ErrorKind::UnknownName,
+                "goal",
+                "the table has no such pocket",
+                "name one of its pockets",
+            );
         }
         if let Some(Disc { center: [x, y], radius }) = self.leave
             && !(radius > 0.0 && radius.is_finite() && x.is_finite() && y.is_finite())
         {
             return refuse(
+                ErrorKind::OutOfRange,
                 "goal",
                 "the disc to leave the cue ball in has no size",
                 "give its centre and radius in m, radius > 0",

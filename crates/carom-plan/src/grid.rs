@@ -1,7 +1,7 @@
 //! Grids whose cells are computed on many threads.
 
-use carom::Error;
 use carom::runner::Runner;
+use carom::{Error, ErrorKind};
 
 use crate::progress::Progress;
 
@@ -21,7 +21,7 @@ pub fn check_cells(place: &str, axes: &[usize]) -> Result<usize, Error> {
         _ => {
             let lengths: Vec<String> = axes.iter().map(usize::to_string).collect();
             let what = format!("{} are too many cells", lengths.join(" × "));
-            Err(Error::input(place, what, format!("give at most {MAX_CELLS} in all")))
+            Err(ErrorKind::WrongCount.at(place, what, format!("give at most {MAX_CELLS} in all")))
         }
     }
 }

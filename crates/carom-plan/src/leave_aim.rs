@@ -8,7 +8,7 @@ use core::f64::consts::TAU;
 
 use carom::math::{exp, log, sin_cos};
 use carom::resolve::cue_ball::Strike;
-use carom::{Error, Shot};
+use carom::{Error, ErrorKind, Shot};
 
 use crate::aim::{Free, Limits, TriedStrike, center, refine, straight};
 use crate::error_model::{Chance, ErrorModel};
@@ -153,11 +153,11 @@ fn lattice([least, most]: [f64; 2], offset: f64) -> impl Iterator<Item = Strike>
 fn check([least, most]: [f64; 2], offset: f64) -> Result<(), Error> {
     if !(0.0 < least && least < most && most <= 50.0) {
         let what = format!("{least:?} to {most:?} m/s is not a range of speeds");
-        return Err(Error::input("speed", what, "give 0 < least < most <= 50"));
+        return Err(ErrorKind::OutOfRange.at("speed", what, "give 0 < least < most <= 50"));
     }
     if !(0.0..=1.0).contains(&offset) {
         let what = format!("{offset:?} ball radii is out of range");
-        return Err(Error::input("offset", what, "give a number from 0 to 1"));
+        return Err(ErrorKind::OutOfRange.at("offset", what, "give a number from 0 to 1"));
     }
     Ok(())
 }

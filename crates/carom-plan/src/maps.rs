@@ -4,7 +4,7 @@ use carom::event::{Event, EventKind, Recorder};
 use carom::math::{Vec2, Vec3, sin_cos};
 use carom::resolve::cue_ball::Strike;
 use carom::shot::PlacedBall;
-use carom::{BallState, Error, Shot, Simulator};
+use carom::{BallState, Error, ErrorKind, Shot, Simulator};
 
 use crate::aim::{Free, TriedStrike, center, refine, straight};
 use crate::error_model::{Chance, ErrorModel};
@@ -126,7 +126,11 @@ pub fn position_map(
         let offset = side * side + height * height;
         if offset > 1.0 || offset.is_nan() {
             let what = format!("({side:?}, {height:?}) ball radii is off the ball");
-            return Err(Error::input("side, height", what, "keep side² + height² <= 1"));
+            return Err(ErrorKind::OutOfRange.at(
+                "side, height",
+                what,
+                "keep side² + height² <= 1",
+            ));
         }
     }
     let cells = check_cells("speed, spin", &[speeds.len(), spins.len()])?;
@@ -193,7 +197,7 @@ impl Approaches<'_> {
         if !(0.0 < self.distance && self.distance <= farthest) {
             let what = format!("{:?} m is out of range", self.distance);
             let remedy = format!("give > 0 and at most the table's diagonal, {farthest:.3} m");
-            return Err(Error::input("distance", what, remedy));
+            return Err(ErrorKind::OutOfRange.at("distance", what, remedy));
         }
         let remedy = "give m/s, > 0 and <= 100";
         check_each("speed", self.speeds, |v| 0.0 < v && v <= FASTEST_BALL, remedy)?;
@@ -222,7 +226,11 @@ pub fn acceptance(
     progress: &Progress,
 ) -> Result<Vec<Accepted>, Error> {
     let Some(hole) = shot.table().pockets.get(pocket) else {
-        return Err(Error::input("pocket", format!("there is no pocket {pocket}"), "count from 0"));
+        return Err(ErrorKind::UnknownName.at(
+            "pocket",
+            format!("there is no pocket {pocket}"),
+            "count from 0",
+        ));
     };
     let cells = approaches.check(shot)?;
     let mouth = (hole.mouth[0] + hole.mouth[1]) * 0.5;
@@ -307,7 +315,9 @@ pub(crate) fn check_each(
     remedy: &str,
 ) -> Result<(), Error> {
     match numbers.iter().find(|number| !valid(**number)) {
-        Some(number) => Err(Error::input(place, format!("{number:?} is out of range"), remedy)),
+        Some(number) => {
+            Err(ErrorKind::OutOfRange.at(place, format!("{number:?} is out of range"), remedy))
+        }
         None => Ok(()),
     }
 }
@@ -318,5 +328,9 @@ pub(crate) fn check_has_edges(shot: &Shot) -> Result<Vec2, Error> {
     if size.x.is_finite() && size.y.is_finite() {
         return Ok(size);
     }
-    Err(Error::input("table", "the cloth has no cushions", "choose a table with cushions"))
+    Err(ErrorKind::Unsupported.at(
+        "table",
+        "the cloth has no cushions",
+        "choose a table with cushions",
+    ))
 }

@@ -4,7 +4,7 @@ use core::f64::consts::{FRAC_PI_2, TAU};
 
 use carom::resolve::cue_ball::Strike;
 use carom::shot::CuePose;
-use carom::{Error, Shot};
+use carom::{Error, ErrorKind, Shot};
 
 /// Limits of the strikes that a search may return; none by default.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -26,8 +26,9 @@ impl Reach {
     /// [`Error::Input`] for numbers that are not finite or out of range, and for elevations in the wrong
     /// order.
     pub fn check(&self) -> Result<(), Error> {
-        let refuse =
-            |place: &str, what: String, remedy: &str| Err(Error::input(place, what, remedy));
+        let refuse = |place: &str, what: String, remedy: &str| {
+            Err(ErrorKind::OutOfRange.at(place, what, remedy))
+        };
         if let Some([first, last]) = self.azimuth
             && !(first.is_finite() && last.is_finite())
         {

@@ -4,7 +4,7 @@ use carom::batch::{BatchResult, OFF_TABLE, ON_TABLE, PADDING};
 use carom::noise::Errors;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
-use carom::{Error, MotionState, Shot};
+use carom::{Error, ErrorKind, MotionState, Shot};
 use carom_rules::{Call, Frame, Play, Prepared};
 
 use crate::sampler::Sampler;
@@ -46,7 +46,11 @@ impl<'a> Refereed<'a> {
     pub(crate) fn new(shot: &'a Shot, referee: Referee<'a>, errors: Errors) -> Result<Self, Error> {
         let Referee { frame, call } = referee;
         let Some((cue_ball, meant)) = shot.strike() else {
-            return Err(Error::input("strike", "the shot has no strike to vary", "give it one"));
+            return Err(ErrorKind::NoStrike.at(
+                "strike",
+                "the shot has no strike to vary",
+                "give it one",
+            ));
         };
         let lies = shot.balls()[cue_ball].state.position;
         let in_hand = frame.turn().is_some_and(|turn| turn.hand.is_some());
@@ -58,7 +62,7 @@ impl<'a> Refereed<'a> {
             || asked.table() != shot.table()
             || asked.physics() != shot.physics()
         {
-            return Err(Error::input(
+            return Err(ErrorKind::Mismatch.at(
                 "frame",
                 "it asks for a shot with other balls, table or physics",
                 "evaluate the shot that the frame gives: frame.shot(...)",

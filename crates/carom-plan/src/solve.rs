@@ -17,7 +17,7 @@ use carom::math::{cos, exp, log, sin_cos, sqrt};
 use carom::noise::StruckBall;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
-use carom::{Error, Shot};
+use carom::{Error, ErrorKind, Shot};
 use std::collections::HashMap;
 
 use crate::aim::{Free, Limits, TriedStrike, azimuths, center, refine, straight_azimuths};
@@ -158,8 +158,9 @@ impl Search {
     fn check(&self) -> Result<(), Error> {
         self.model.check()?;
         self.reach.check()?;
-        let refuse =
-            |place: &str, what: String, remedy: &str| Err(Error::input(place, what, remedy));
+        let refuse = |place: &str, what: String, remedy: &str| {
+            Err(ErrorKind::OutOfRange.at(place, what, remedy))
+        };
         let [least, most] = self.speed;
         if !(0.0 < least && least <= most && most <= 50.0) {
             let what = format!("{least:?} to {most:?} m/s is not a range of speeds");

@@ -2,8 +2,8 @@
 
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
-use carom::Error;
 use carom::format::Node;
+use carom::{Error, ErrorKind};
 use carom_env::{
     ACTIONS, AgentSeat, Aim, Asked, Autoreset, BALL_FEATURES, Config, EpisodeStart, FEATURES,
     Opponent, Outside, Reply, Rewards, Setup, TargetBall, Task, Transitions, Variable,
@@ -180,7 +180,8 @@ fn replies(
             .collect();
         let answers: Vec<AnswerArguments> = ask.bind(py).call1((frames,))?.extract()?;
         let read = |(asked, answer): (&Asked<'_>, AnswerArguments)| {
-            let nothing = || Error::input("opponent", "there is no frame", "choose a game");
+            let nothing =
+                || ErrorKind::WrongState.at("opponent", "there is no frame", "choose a game");
             let frame = asked.frame().ok_or_else(nothing)?;
             let answer = answer.read(frame).map_err(|error| error.inside("opponent"))?;
             Ok(Reply::Answer(answer))

@@ -6,7 +6,7 @@ use carom::format::{DefaultElevation, PresetNames, check_balls, check_physics, c
 use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{CuePose, Touched};
-use carom::{Error, ShotFile};
+use carom::{ErrorKind, ShotFile};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
@@ -159,7 +159,7 @@ impl Shot {
         let strike = index
             .ok_or_else(|| {
                 let what = format!("there is no ball \"{ball}\"");
-                Error::input("ball", what, "give the id of a ball of the shot")
+                ErrorKind::UnknownBall.at("ball", what, "give the id of a ball of the shot")
             })
             .and_then(|index| self.0.strike_of_pose(&pose, speed, index))
             .map_err(|e| to_exception(py, &e))?;

@@ -3,7 +3,7 @@
 use carom::noise::StruckBall;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::Cling;
-use carom::{Error, Noise, Shot};
+use carom::{Error, ErrorKind, Noise, Shot};
 
 use crate::play::through_degrees;
 use crate::seat::Seat;
@@ -50,7 +50,7 @@ impl ErrorSeeds {
 pub fn execute(noise: &Noise, prepared: &Shot, draw: ErrorDraw) -> Result<(Strike, Cling), Error> {
     let (ball, meant) = prepared
         .strike()
-        .ok_or_else(|| Error::input("strike", "the shot has no strike", "give it one"))?;
+        .ok_or_else(|| ErrorKind::NoStrike.at("strike", "the shot has no strike", "give it one"))?;
     let cling = noise.draw_cling(draw.seed, draw.index);
     let struck = StruckBall::of(prepared, &prepared.balls()[ball].ball);
     let drawn = noise.draw(&meant, &struck, draw.seed, draw.index);

@@ -12,7 +12,7 @@ use std::sync::Arc;
 
 use carom::format::Node;
 use carom::rack::Game;
-use carom::{Error, Shot};
+use carom::{Error, ErrorKind, Shot};
 
 use crate::games::GameState;
 use crate::games::eight_ball::Group;
@@ -74,7 +74,7 @@ impl Frame {
         options.check()?;
         let base = Arc::new(base(game, table, physics)?);
         let refuse = |what: &str, remedy| {
-            Err(Error::input("table", format!("{} {what}", game.name()), remedy))
+            Err(ErrorKind::Unsupported.at("table", format!("{} {what}", game.name()), remedy))
         };
         match (!GameFacts::of(game).is_carom(), base.table().pockets.is_empty()) {
             (true, true) => refuse(
@@ -134,7 +134,11 @@ impl Frame {
             && places.iter().zip(own).all(|(place, is_down)| place.is_none() == is_down);
         if !same {
             let what = "they are not those of the balls on the table";
-            return Err(Error::input("places", what, "displace every ball on the table"));
+            return Err(ErrorKind::WrongCount.at(
+                "places",
+                what,
+                "displace every ball on the table",
+            ));
         }
         let mut seen = self.clone();
         for (ball, place) in (0..).zip(places) {
@@ -280,7 +284,7 @@ impl Frame {
         let (player, choices) = match &self.request {
             Request::Choice { player, choices, .. } => (*player, choices),
             _ => {
-                return Err(Error::input(
+                return Err(ErrorKind::WrongState.at(
                     "choice",
                     "the frame does not ask for a choice now",
                     "look at its request",
@@ -289,7 +293,7 @@ impl Frame {
         };
         if !choices.contains(&choice) {
             let names: Vec<&str> = choices.iter().map(|c| c.name()).collect();
-            return Err(Error::input(
+            return Err(ErrorKind::NotAChoice.at(
                 "choice",
                 format!("\"{}\" is not among the choices", choice.name()),
                 format!("write one of {}", names.join(", ")),
@@ -305,9 +309,9 @@ impl Frame {
     /// # Errors
     /// [`Error::Input`] if the frame is over.
     pub fn concede(&mut self) -> Result<Ruling, Error> {
-        let player = self
-            .player()
-            .ok_or_else(|| Error::input("concede", "the frame is over", "begin a new frame"))?;
+        let player = self.player().ok_or_else(|| {
+            ErrorKind::FrameOver.at("concede", "the frame is over", "begin a new frame")
+        })?;
         Ok(self.settle(Request::won(seat::opponent(player), "the other player conceded"), None))
     }
 

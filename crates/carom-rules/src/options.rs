@@ -1,6 +1,6 @@
 //! The options of a frame.
 
-use carom::Error;
+use carom::{Error, ErrorKind};
 
 /// The settings of a frame, agreed before it starts.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,11 @@ impl Options {
     /// [`Error::Input`] if one is not.
     pub fn check(&self) -> Result<(), Error> {
         let wrong = |place: &str, value: i64| {
-            Err(Error::input(place, format!("{value} is out of range"), "write at least 1"))
+            Err(ErrorKind::OutOfRange.at(
+                place,
+                format!("{value} is out of range"),
+                "write at least 1",
+            ))
         };
         if self.points < 1 {
             return wrong("options.points", self.points.into());

@@ -3,8 +3,8 @@
 //! Python and JavaScript build the frame and play its moves. Both check the record here first, so that one is
 //! as strict as the other.
 
-use carom::Error;
 use carom::format::{Node, Reader};
+use carom::{Error, ErrorKind};
 
 /// The format of a record.
 pub const FRAME_FORMAT: &str = "carom-frame/1";
@@ -32,11 +32,11 @@ pub fn check_record(record: &Node) -> Result<(), Error> {
     if !matches!(record.get("format"), Some(Node::Text(format)) if format.as_str() == FRAME_FORMAT)
     {
         let what = format!("not a record of a frame, \"{FRAME_FORMAT}\"");
-        return Err(Error::input("format", what, REMEDY));
+        return Err(ErrorKind::Format.at("format", what, REMEDY));
     }
     let (Some(setup), Some(moves)) = (root.get("setup"), root.get("moves")) else {
         let what = "setup or moves is missing or has a wrong type";
-        return Err(Error::input("record", what, REMEDY));
+        return Err(ErrorKind::Missing.at("record", what, REMEDY));
     };
     setup.keys(if setup.get("shot").is_some() { OF_SHOT } else { NEW })?;
     setup.require("game", "\"nine-ball\"")?;
@@ -58,5 +58,5 @@ fn check_move(made: &Reader<'_>) -> Result<(), Error> {
     if made.get("concede").is_some_and(|concede| *concede.node() == Node::Bool(true)) {
         return made.keys(CONCEDE);
     }
-    Err(Error::input(made.place(), "not a play, a choice or a concession", REMEDY))
+    Err(ErrorKind::NotAMove.at(made.place(), "not a play, a choice or a concession", REMEDY))
 }

@@ -1,9 +1,9 @@
 //! Frames and rulings as trees of values with the balls' ids, for the bindings; and balls, pockets
 //! and calls by their names.
 
-use carom::Error;
 use carom::format::Node;
 use carom::table::PocketName;
+use carom::{Error, ErrorKind};
 
 use crate::frame::Frame;
 use crate::layout::BallIndex;
@@ -50,11 +50,13 @@ impl Frame {
         let known = (0..).zip(self.layout().balls()).find(|(_, ball)| ball.id == id);
         known.map(|(i, _)| i).ok_or_else(|| {
             let ids: Vec<&str> = self.layout().balls().iter().map(|p| p.id.as_str()).collect();
-            Error::input(
-                place,
-                format!("no ball has the id \"{id}\""),
-                format!("write one of {}", ids.join(", ")),
-            )
+            ErrorKind::UnknownBall
+                .at(
+                    place,
+                    format!("no ball has the id \"{id}\""),
+                    format!("write one of {}", ids.join(", ")),
+                )
+                .with("ball", id)
         })
     }
 
@@ -67,11 +69,13 @@ impl Frame {
         let known = pockets.iter().map(|pocket| pocket.name).find(|pocket| pocket.name() == name);
         known.ok_or_else(|| {
             let names: Vec<&str> = pockets.iter().map(|pocket| pocket.name.name()).collect();
-            Error::input(
-                place,
-                format!("there is no pocket \"{name}\""),
-                format!("write one of {}", names.join(", ")),
-            )
+            ErrorKind::UnknownName
+                .at(
+                    place,
+                    format!("there is no pocket \"{name}\""),
+                    format!("write one of {}", names.join(", ")),
+                )
+                .with("name", name)
         })
     }
 
@@ -95,11 +99,13 @@ impl Frame {
             "pocket" => {
                 Ok(Call::Pocket(ball()?, self.pocket(pocket.unwrap_or_default(), "call.into")?))
             }
-            _ => Err(Error::input(
-                "call",
-                format!("\"{kind}\" is not a call"),
-                "write nothing, safety, push-out, pocket or on",
-            )),
+            _ => Err(ErrorKind::UnknownName
+                .at(
+                    "call",
+                    format!("\"{kind}\" is not a call"),
+                    "write nothing, safety, push-out, pocket or on",
+                )
+                .with("name", kind)),
         }
     }
 

@@ -1,6 +1,6 @@
 //! Requests of a frame: a shot or a choice, and the seat that has to answer.
 
-use carom::Error;
+use carom::{Error, ErrorKind};
 
 use crate::layout::{BallIndex, BallList};
 use crate::region::Region;
@@ -276,11 +276,13 @@ impl Choice {
     pub fn read(name: &str) -> Result<Self, Error> {
         let names = Self::ALL.map(Self::name).join(", ");
         Self::named(name).ok_or_else(|| {
-            Error::input(
-                "choice",
-                format!("\"{name}\" is not a choice"),
-                format!("write one of {names}"),
-            )
+            ErrorKind::UnknownName
+                .at(
+                    "choice",
+                    format!("\"{name}\" is not a choice"),
+                    format!("write one of {names}"),
+                )
+                .with("name", name)
         })
     }
 }

@@ -5,7 +5,7 @@ use carom::format::Node;
 use carom::noise::{Covariance, Errors, SKILLS, Samples};
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
-use carom::{Error, Noise};
+use carom::{Error, ErrorKind, Noise};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -77,7 +77,8 @@ pub(crate) fn noise_of(numbers: &[f64]) -> Result<Noise, JsValue> {
 }
 
 fn read_numbers(numbers: &[f64]) -> Result<Noise, Error> {
-    let length = || Error::input("noise", "the list has a wrong length", "use carom's `Noise`");
+    let length =
+        || ErrorKind::WrongCount.at("noise", "the list has a wrong length", "use carom's `Noise`");
     let (plain, more) = numbers.split_first_chunk::<7>().ok_or_else(length)?;
     let [speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction] = *plain;
     let mut noise = Noise {
@@ -189,7 +190,7 @@ impl Batch {
     }
 
     /// Their errors, in the order of [`Self::failed`].
-    pub fn errors(&self) -> Vec<String> {
-        self.result.errors.iter().map(|(_, e)| e.to_string()).collect()
+    pub fn errors(&self) -> Vec<JsValue> {
+        self.result.errors.iter().map(|(_, e)| to_exception(e)).collect()
     }
 }

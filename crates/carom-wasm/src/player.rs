@@ -3,7 +3,7 @@
 use carom::format::Node;
 use carom::math::sqrt;
 use carom::noise::Perception;
-use carom::{Error, Noise};
+use carom::{Error, ErrorKind, Noise};
 use carom_arena::{BuiltInPlayer, TimeLimit};
 use carom_mind::search::Rounds;
 use carom_mind::{Analysis, Answer, Budget, Decision, Recommendation, Searcher, Situation, Spent};
@@ -208,7 +208,7 @@ impl Thought {
         let Self { stage, .. } = &self;
         let Stage::Rounds(search) = stage else {
             let what = "this is a decision, not an analysis";
-            return Err(Error::input("thought", what, "begin with a number of plays"));
+            return Err(ErrorKind::WrongState.at("thought", what, "begin with a number of plays"));
         };
         let (searcher, rounds) = &**search;
         let rounds = rounds.clone();

@@ -6,7 +6,7 @@ use alloc::format;
 use alloc::vec;
 use alloc::vec::Vec;
 
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::event::{Event, EventKind, Recorder};
 use crate::noise::{Errors, StruckBall};
 use crate::resolve::cue_ball::Strike;
@@ -124,7 +124,7 @@ pub fn draw_strikes(
     let (ball, meant) = own_strike(shot)?;
     if n > MAX_DRAWN {
         let remedy = format!("draw at most {MAX_DRAWN} at a time, and the next ones with `first`");
-        return Err(Error::input("n", format!("{n} strikes are too many"), remedy));
+        return Err(ErrorKind::OutOfRange.at("n", format!("{n} strikes are too many"), remedy));
     }
     let struck = StruckBall::of(shot, &shot.balls[ball].ball);
     let strike = |k| noise.draw(&meant, &struck, seed, first.wrapping_add(k));
@@ -153,8 +153,9 @@ pub fn draw_variant(
 
 /// The struck ball's index and the strike of `shot`.
 fn own_strike(shot: &Shot) -> Result<(usize, Strike), Error> {
-    shot.strike
-        .ok_or_else(|| Error::input("strike", "the shot has no strike to vary", "give it one"))
+    shot.strike.ok_or_else(|| {
+        ErrorKind::NoStrike.at("strike", "the shot has no strike to vary", "give it one")
+    })
 }
 
 /// A shot of a batch, and the strike that is played in it: the struck ball's index, and the strike.

@@ -38,7 +38,7 @@
 //!   A [`Simulator`] passes the events to any [`Recorder`](event::Recorder), such as the one that
 //!   collects an [`Outcome`], and reuses its memory for the next shot.
 //! - [`batch`]: many shots on all cores; [`noise`]: the scatter of a player's strikes.
-//! - [`error`]: every error names the place, the fault and the remedy.
+//! - [`error`]: every error has a kind, and names the place, the fault and the remedy.
 //! - Internals: [`motion`] between events, contact times ([`detect`]) and impacts ([`resolve`]).
 //!
 //! The same shot gives the same bits on every platform, with or without the features `std`
@@ -74,7 +74,7 @@ pub mod trace;
 mod trace_event;
 
 pub use ball::{Ball, BallState, MotionState};
-pub use error::Error;
+pub use error::{Error, ErrorKind};
 pub use format::ShotFile;
 pub use noise::Noise;
 pub use outcome::Outcome;

@@ -52,7 +52,7 @@ use chacha20::ChaCha8Rng;
 use chacha20::rand_core::{Rng, SeedableRng};
 
 use crate::Ball;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::math::{log, radians, sin_cos, sqrt};
 use crate::physics::ball_surface::CHALKED;
 use crate::range::Range;
@@ -254,7 +254,7 @@ impl Noise {
         if self.samples.is_some() && (is_gaussian || self.sigmas() != [0.0; 5]) {
             let what = "measured errors stand beside standard deviations or a covariance";
             let remedy = "write one of them; measured errors already have their spread";
-            return Err(Error::input("noise.samples", what, remedy));
+            return Err(ErrorKind::Conflict.at("noise.samples", what, remedy));
         }
         Ok(())
     }

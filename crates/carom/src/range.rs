@@ -3,7 +3,7 @@
 use alloc::format;
 use alloc::string::String;
 
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 
 /// No number in a shot is larger than this, whatever its unit. It keeps every product that the
 /// engine forms far from overflow; a kilometre, a tonne and a year all fit.
@@ -97,13 +97,29 @@ impl Range {
         } else {
             format!("{} is not a number that a shot can use", describe_number(x))
         };
-        Error::input(place, what, format!("write {}", self.describe()))
+        ErrorKind::OutOfRange
+            .at(place, what, format!("write {}", self.describe()))
+            .with("value", x)
+            .with("low", self.low)
+            .with("high", self.high)
+            .with("open", self.open_ends())
+            .with("unit", self.unit.split_whitespace().next().unwrap_or_default())
     }
 
     /// Whether the range is for numbers that the engine computed, such as the states of a trace. It
     /// then has no upper limit, so that every such number can be read back.
     pub(crate) const fn is_result(&self) -> bool {
         self.high == f64::MAX
+    }
+
+    /// Which ends do not belong to the range: `low`, `high`, `both` or `none`.
+    const fn open_ends(&self) -> &'static str {
+        match (self.low_open, self.high_open) {
+            (true, true) => "both",
+            (true, false) => "low",
+            (false, true) => "high",
+            (false, false) => "none",
+        }
     }
 
     pub(crate) fn describe(&self) -> String {

@@ -31,7 +31,7 @@ use alloc::format;
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 
 #[cfg(feature = "parallel")]
 use self::pool::Pool;
@@ -78,7 +78,7 @@ impl Runner {
             None => Ok(Self::default()),
             Some(1) => Ok(Self { threads: Threads::Calling }),
             Some(count) if (2..=MAX_THREADS).contains(&count) => Self::with_pool(count),
-            Some(count) => Err(Error::input(
+            Some(count) => Err(ErrorKind::OutOfRange.at(
                 "threads",
                 format!("{count} is out of range"),
                 format!("write a whole number from 1 to {MAX_THREADS}, or leave it out"),
@@ -90,7 +90,7 @@ impl Runner {
     fn with_pool(count: usize) -> Result<Self, Error> {
         match Pool::start(count) {
             Ok(pool) => Ok(Self { threads: Threads::Own(Arc::new(pool)) }),
-            Err(error) => Err(Error::input(
+            Err(error) => Err(ErrorKind::System.at(
                 "threads",
                 format!("{count} threads could not be started ({error})"),
                 "choose a smaller number, or leave it out",

@@ -134,7 +134,7 @@ impl Simulator {
     ) -> Error {
         match (failure, strike) {
             (SimulationError::Strike(e), Some((_, strike))) => shot::explain("strike", &strike, e),
-            (SimulationError::Strike(e), None) => Error::input("strike", e.fault(), e.remedy()),
+            (SimulationError::Strike(e), None) => e.kind().at("strike", e.fault(), e.remedy()),
             (SimulationError::TooManyEvents { max_events, time }, _) => {
                 let mut played = shot.clone();
                 played.strike = strike;

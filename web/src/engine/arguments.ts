@@ -1,6 +1,6 @@
 /** Checks of arguments: WebAssembly would convert a wrong type silently, or fail without a message. */
 
-import { CaromError } from "./error.ts";
+import { refuse } from "./error.ts";
 
 /** `JSON.stringify` with its complete type: it returns undefined for functions and symbols. */
 function stringify(value: unknown): string | undefined {
@@ -23,22 +23,27 @@ export function json(file: unknown): string {
   return stringify(file) ?? "null";
 }
 
+/** The kind of the error for a value of a wrong type. */
+function wrong(value: unknown): "missing" | "wrong-type" {
+  return value === undefined || value === null ? "missing" : "wrong-type";
+}
+
 /** @throws CaromError if `value` is not a string. */
 export function text<T extends string>(place: string, value: T): T {
   if (typeof value === "string") return value;
-  throw new CaromError(`${place}: found ${shown(value)}; write a string`, place);
+  refuse(wrong(value), place, `found ${shown(value)}`, "write a string");
 }
 
 /** @throws CaromError if `value` is not a boolean. */
 export function boolean(place: string, value: boolean): boolean {
   if (typeof value === "boolean") return value;
-  throw new CaromError(`${place}: found ${shown(value)}; write true or false`, place);
+  refuse(wrong(value), place, `found ${shown(value)}`, "write true or false");
 }
 
 /** @throws CaromError if `value` is not an object. */
 export function object(place: string, value: unknown): object {
   if (typeof value === "object" && value !== null) return value;
-  throw new CaromError(`${place}: found ${shown(value)}; write an object`, place);
+  refuse(wrong(value), place, `found ${shown(value)}`, "write an object");
 }
 
 /**
@@ -52,7 +57,7 @@ export function numbers(place: string, of: unknown, keys: readonly string[]): nu
     const value = values[key];
     if (typeof value === "number") return value;
     const inner = place === "" ? key : /^\d/.test(key) ? `${place}[${key}]` : `${place}.${key}`;
-    throw new CaromError(`${inner}: found ${shown(value)}; write a number`, inner);
+    return refuse(wrong(value), inner, `found ${shown(value)}`, "write a number");
   });
 }
 
@@ -70,9 +75,11 @@ export function whole(
 ): bigint {
   if (Number.isSafeInteger(value) && value >= 0 && value <= most) return BigInt(value);
   const more = remedy === "" ? "" : `; ${remedy}`;
-  throw new CaromError(
-    `${place}: ${shown(value)} is out of range; write a whole number from 0 to ${most}${more}`,
+  refuse(
+    "out-of-range",
     place,
+    `${shown(value)} is out of range`,
+    `write a whole number from 0 to ${most}${more}`,
   );
 }
 
@@ -85,5 +92,5 @@ export function named(place: string, name: string, names: readonly string[]): nu
   const index = names.indexOf(text(place, name));
   if (index >= 0) return index;
   const known = names.length === 0 ? "there is none" : `write one of ${names.join(", ")}`;
-  throw new CaromError(`${place}: there is no ${place} ${shown(name)}; ${known}`, place);
+  refuse("unknown-name", place, `there is no ${place} ${shown(name)}`, known);
 }

@@ -4,7 +4,7 @@
  */
 import { boolean, json, named, numbers, object, text, whole } from "./arguments.ts";
 import type { BreakOptions, Engine, RollingBand, RollingOptions } from "./engine.ts";
-import { CaromError } from "./error.ts";
+import { CaromError, type Refusal, refusalOf, refuse } from "./error.ts";
 import { FRAME_FORMAT, replay } from "./frame-record.ts";
 import { Handle, checked, uncloneable } from "./handle.ts";
 import { namedSigmas, sigmasOf } from "./noise.ts";
@@ -131,8 +131,11 @@ class WasmEngine implements Engine {
 
   traceToCap(error: CaromError): Trace {
     if (error.shot === undefined) {
-      throw new CaromError(
-        "error: it is not one of a shot at its cap of events; simulate the shot",
+      refuse(
+        "wrong-state",
+        "error",
+        "it is not one of a shot at its cap of events",
+        "simulate the shot",
       );
     }
     const shot = checked(() => wasm.Shot.fromJson(error.shot!));
@@ -262,7 +265,7 @@ class WasmEngine implements Engine {
     };
     const schema = Object.hasOwn(schemas, kind) ? schemas[kind] : undefined;
     if (schema) return JSON.parse(schema()) as object;
-    throw new CaromError(`kind: there is no schema "${kind}"; write "shot" or "trace"`, "kind");
+    refuse("unknown-name", "kind", `there is no schema "${kind}"`, 'write "shot" or "trace"');
   }
 }
 
@@ -479,9 +482,10 @@ class WasmShot implements Shot {
 
 /** Copies a batch's arrays out of WebAssembly's memory, and frees it. */
 function toBatch(batch: wasm.Batch): Batch {
-  const messages = batch.errors();
-  const errors = new Map<number, string>();
-  batch.failed().forEach((shot, k) => errors.set(shot, messages[k]!));
+  const failed = batch.failed();
+  const refusals = new Map<number, Refusal>();
+  batch.errors().forEach((error, k) => refusals.set(failed[k]!, refusalOf(error as Refusal)));
+  const errors = new Map([...refusals].map(([shot, { message }]) => [shot, message]));
   const result = {
     shots: batch.shots(),
     balls: batch.balls(),
@@ -489,6 +493,7 @@ function toBatch(batch: wasm.Batch): Batch {
     pocket: batch.pocket(),
     events: batch.events(),
     errors,
+    refusals,
   };
   batch.free();
   // The old spelling: not enumerable, so that it is neither copied nor printed.

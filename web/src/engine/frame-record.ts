@@ -2,7 +2,7 @@
 
 import { object } from "./arguments.ts";
 import type { Engine } from "./engine.ts";
-import { CaromError } from "./error.ts";
+import { CaromError, moved, refuse } from "./error.ts";
 import type { Call, Choice, Frame, FrameRecord, FrameSetup, Play } from "./rules.ts";
 
 export const FRAME_FORMAT = "carom-frame/1";
@@ -41,9 +41,8 @@ export function* replaySteps(
     } catch (error) {
       frame.free();
       if (!(error instanceof CaromError)) throw error;
-      const place = `moves[${index}]`;
-      const other = otherEngine(made, engine.version);
-      throw new CaromError(`${place}: ${error.message}${other}`, place, error.shot);
+      const place = `moves[${index}]${error.place === "" ? "" : `.${error.place}`}`;
+      throw moved(error, place, error.remedy + otherEngine(made, engine.version));
     }
   }
   return frame;
@@ -92,7 +91,7 @@ function make(frame: Frame, move: unknown): void {
   if (isMove(move, "play")) frame.play(withoutNulls(move.play)).trace.free();
   else if (isMove(move, "choice")) frame.choose(move.choice as Choice);
   else if (isMove(move, "concede") && move.concede === true) frame.concede();
-  else throw new CaromError(`not a play, a choice or a concession; ${REMEDY}`);
+  else refuse("not-a-move", "", "not a play, a choice or a concession", REMEDY);
 }
 
 /** A recorded play. Python writes `null` for the parts of a call that it does not have. */

@@ -1,15 +1,14 @@
 /** Objects and errors of the WebAssembly module. */
 
-import { CaromError } from "./error.ts";
+import { CaromError, refusalOf } from "./error.ts";
 
 /** Calls the engine and turns its refusal into a `CaromError`. */
 export function checked<T>(call: () => T): T {
   try {
     return call();
   } catch (error) {
-    if (error instanceof Error && ("place" in error || "shot" in error)) {
-      const { place, shot } = error as { place?: string; shot?: string };
-      throw new CaromError(error.message, place, shot);
+    if (error instanceof Error && "kind" in error) {
+      throw new CaromError(refusalOf(error));
     }
     throw error;
   }

@@ -1,7 +1,7 @@
 /** Execution noise as the engine's list of numbers, and back. */
 
 import { numbers, object } from "./arguments.ts";
-import { CaromError } from "./error.ts";
+import { refuse } from "./error.ts";
 import type { Noise } from "./types.ts";
 import { warnOnce } from "./warn.ts";
 
@@ -50,7 +50,7 @@ export function sigmasOf(noise: Noise, place = "noise"): Float64Array {
     value.covariance === undefined ? [] : rows(`${place}.covariance`, value.covariance);
   if (covariance.length !== 0 && covariance.length !== 5) {
     const inner = `${place}.covariance`;
-    throw new CaromError(`${inner}: found ${covariance.length} rows; write five rows`, inner);
+    refuse("wrong-count", inner, `found ${covariance.length} rows`, "write five rows");
   }
   const samples = value.samples === undefined ? [] : rows(`${place}.samples`, value.samples);
   return Float64Array.from([
@@ -69,13 +69,12 @@ const FURTHER = ["speed_relative", "covariance", "bias", "samples"] as const;
 /** @throws CaromError if `row` is not five numbers. */
 function five(place: string, row: unknown): number[] {
   if (Array.isArray(row) && row.length === 5) return numbers(place, row, ["0", "1", "2", "3", "4"]);
-  throw new CaromError(`${place}: found no list of five numbers; write one`, place);
+  return refuse("wrong-count", place, "found no list of five numbers", "write one");
 }
 
 /** @throws CaromError if `list` is not a list of rows of five numbers. */
 function rows(place: string, list: unknown): number[][] {
-  if (!Array.isArray(list))
-    throw new CaromError(`${place}: found no list; write rows of five`, place);
+  if (!Array.isArray(list)) refuse("wrong-type", place, "found no list", "write rows of five");
   return list.map((row, i) => five(`${place}[${i}]`, row));
 }
 
@@ -95,10 +94,7 @@ export function withNewKeys(noise: Readonly<Record<string, unknown>>): {
     const present = OLD_KEYS[key];
     if (present in noise) {
       const place = `noise.${key}`;
-      throw new CaromError(
-        `${place}: this is the old name of ${present}; remove one of them`,
-        place,
-      );
+      refuse("duplicate", place, `this is the old name of ${present}`, "remove one of them");
     }
     value[present] = value[key];
     Reflect.deleteProperty(value, key);

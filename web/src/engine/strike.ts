@@ -1,6 +1,6 @@
 /** Strikes as callers write them: with angles in radians or in degrees, as in shot files. */
 import { numbers, object, text } from "./arguments.ts";
-import { CaromError } from "./error.ts";
+import { refuse } from "./error.ts";
 import type { StrikeEntry, StrikeInput } from "./types.ts";
 import { warnOnce } from "./warn.ts";
 
@@ -33,7 +33,12 @@ export function readStrike(strike: StrikeInput): ReadStrike {
   const given = object("strike", strike) as Partial<StrikeEntry>;
   for (const key of Object.keys(given)) {
     if ((KEYS as readonly string[]).includes(key)) continue;
-    refuse(`strike.${key}`, `unknown key; the keys known here are ${KEYS.join(", ")}`);
+    refuse(
+      "unknown-key",
+      `strike.${key}`,
+      "unknown key",
+      `the keys known here are ${KEYS.join(", ")}`,
+    );
   }
   const [speed, side, height] = numbers("strike", { side: 0, height: 0, ...defined(given) }, [
     "speed",
@@ -43,8 +48,10 @@ export function readStrike(strike: StrikeInput): ReadStrike {
   const azimuth = angle(given, "azimuth");
   if (azimuth === undefined) {
     refuse(
+      "missing",
       "strike.azimuth",
-      "it is missing; write the cue's direction in radians, or azimuth_deg in degrees",
+      "it is missing",
+      "write the cue's direction in radians, or azimuth_deg in degrees",
     );
   }
   if (Math.abs(given.azimuth ?? 0) > 2 * Math.PI) {
@@ -64,8 +71,10 @@ function angle(given: Partial<StrikeEntry>, key: "azimuth" | "elevation"): numbe
   const inDegrees = `${key}_deg` as const;
   if (given[key] !== undefined && given[inDegrees] !== undefined) {
     refuse(
+      "duplicate",
       `strike.${key}`,
-      `${inDegrees} gives the same angle; keep ${key} (rad) or ${inDegrees} (degrees)`,
+      `${inDegrees} gives the same angle`,
+      `keep ${key} (rad) or ${inDegrees} (degrees)`,
     );
   }
   if (given[key] !== undefined) return numbers("strike", given, [key])[0]!;
@@ -76,8 +85,4 @@ function angle(given: Partial<StrikeEntry>, key: "azimuth" | "elevation"): numbe
 /** The entries of an object that are not undefined. */
 function defined(given: object): object {
   return Object.fromEntries(Object.entries(given).filter(([, value]) => value !== undefined));
-}
-
-function refuse(place: string, what: string): never {
-  throw new CaromError(`${place}: ${what}`, place);
 }

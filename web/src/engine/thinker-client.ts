@@ -68,10 +68,12 @@ class ConnectedThinker implements Thinker {
     worker.onerror = ({ message = "" }) => {
       const why = message === "" ? "" : ` (${message})`;
       this.#finish(
-        new CaromError(
-          `worker: it failed${why}; give a worker that runs carom-engine/thinker-worker`,
-          "worker",
-        ),
+        new CaromError({
+          kind: "system",
+          place: "worker",
+          fault: `it failed${why}`,
+          remedy: "give a worker that runs carom-engine/thinker-worker",
+        }),
       );
     };
   }
@@ -114,7 +116,14 @@ class ConnectedThinker implements Thinker {
   }
 
   close(): void {
-    this.#finish(new CaromError("thinker: it was closed; create another one", "thinker"));
+    this.#finish(
+      new CaromError({
+        kind: "wrong-state",
+        place: "thinker",
+        fault: "it was closed",
+        remedy: "create another one",
+      }),
+    );
   }
 
   #send(message: ToThinker): void {
@@ -151,5 +160,5 @@ class ConnectedThinker implements Thinker {
 }
 
 function errorOf({ message, refusal }: Failure): Error {
-  return refusal ? new CaromError(message, refusal.place, refusal.shot) : new Error(message);
+  return refusal ? new CaromError(refusal) : new Error(message);
 }

@@ -1,5 +1,6 @@
 /** The messages between a thinker and its worker. */
 
+import type { Refusal } from "./error.ts";
 import type { Analysis, Decision, PlayerOptions, Progress } from "./player.ts";
 import type { FrameRecord } from "./rules.ts";
 
@@ -16,7 +17,7 @@ export interface ThinkRequest {
 export interface Failure {
   readonly message: string;
   /** Null unless the error is a `CaromError`. */
-  readonly refusal: { readonly place: string; readonly shot: string | undefined } | null;
+  readonly refusal: Refusal | null;
 }
 
 export type ToThinker =

@@ -2,7 +2,7 @@
 
 import { load } from "./core.ts"; // without embedded WebAssembly: the page sends it
 import type { Engine } from "./engine.ts";
-import { CaromError } from "./error.ts";
+import { CaromError, refusalOf } from "./error.ts";
 import { nextTask } from "./next-task.ts";
 import type { Analysis, Decision, Thought } from "./player.ts";
 import type {
@@ -69,8 +69,7 @@ export function serve(port: ThinkerPort<FromThinker, ToThinker>): void {
 
 function failureOf(error: unknown): Failure {
   if (error instanceof CaromError) {
-    const { message, place, shot } = error;
-    return { message, refusal: { place, shot } };
+    return { message: error.message, refusal: refusalOf(error) };
   }
   return { message: error instanceof Error ? error.message : String(error), refusal: null };
 }

@@ -4,6 +4,8 @@
  * from the slate.
  */
 
+import type { Refusal } from "./error.ts";
+
 export type Point = readonly [x: number, y: number];
 export type Vector = readonly [x: number, y: number, z: number];
 
@@ -376,6 +378,8 @@ export interface Batch {
   readonly events: Int32Array;
   /** Error messages, by index of the shot. */
   readonly errors: ReadonlyMap<number, string>;
+  /** The same errors with their kinds and parts. */
+  readonly refusals: ReadonlyMap<number, Refusal>;
 }
 
 /** The `Batch` of the variants of a shot. */

@@ -1,7 +1,7 @@
 /** `Player` over the WebAssembly module. */
 
 import { numbers, object, text, whole } from "./arguments.ts";
-import { CaromError } from "./error.ts";
+import { refuse } from "./error.ts";
 import { Handle, checked } from "./handle.ts";
 import { namedSigmas, sigmasOf } from "./noise.ts";
 import * as wasm from "./pkg/carom_wasm.js";
@@ -67,8 +67,7 @@ export class WasmPlayer implements Player {
 
   beginAnalysis(frame: Frame, options: ExplainOptions = {}): Thought<Analysis> {
     const { count = USUAL_PLAYS } = options;
-    if (count === 0)
-      throw new CaromError("count: 0 plays are nothing; ask for at least 1", "count");
+    if (count === 0) refuse("out-of-range", "count", "0 plays are nothing", "ask for at least 1");
     const plays = Number(whole("count", count, MOST_PLAYS));
     return new WasmThought(this.#begin(frame, plays), (thought, interrupted) => ({
       ...(JSON.parse(thought.intoAnalysis()) as Omit<Analysis, "interrupted">),
@@ -100,9 +99,11 @@ function thinkingOf(
 ): wasm.Thinking {
   const { noise, opponentNoise, perception, simulations, rounds, time, seed = 0 } = options;
   if (simulations !== undefined && options.name?.includes(":")) {
-    throw new CaromError(
-      `simulations: the name "${options.name}" has a number of them too; write only one`,
+    refuse(
+      "duplicate",
       "simulations",
+      `the name "${options.name}" has a number of them too`,
+      "write only one",
     );
   }
   const isLimited = time !== undefined || rounds !== undefined;
@@ -125,14 +126,23 @@ function thinkingOf(
 
 function atLeastOne(place: string, value: number, most: number): bigint {
   if (value !== 0) return whole(place, value, most);
-  const message = `${place}: 0 is out of range; write a whole number from 1 to ${most}`;
-  throw new CaromError(message, place);
+  return refuse(
+    "out-of-range",
+    place,
+    "0 is out of range",
+    `write a whole number from 1 to ${most}`,
+  );
 }
 
 function seconds(time: number): number {
   const [value] = numbers("", { time }, ["time"]);
   if (value! > 0 && value! < Infinity) return value!;
-  throw new CaromError(`time: ${value} is out of range; write a number of seconds above 0`, "time");
+  return refuse(
+    "out-of-range",
+    "time",
+    `${value} is out of range`,
+    "write a number of seconds above 0",
+  );
 }
 
 function finished<T>(thought: Thought<T>): T {

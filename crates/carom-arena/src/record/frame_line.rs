@@ -1,8 +1,8 @@
 //! The line of a frame in a record.
 
-use carom::Error;
 use carom::error::InputError;
 use carom::format::{Node, Reader};
+use carom::{Error, ErrorKind};
 use carom_mind::{Answer, Decision, Spent};
 use carom_rules::{Choice, Frame};
 
@@ -80,7 +80,7 @@ fn move_node(frame: &Frame, arena_move: &ArenaMove) -> Node {
         }
         Effect::Chosen { ruling } => node.set("ruling", frame.ruling_node(ruling)),
         Effect::Conceded => {}
-        Effect::Refused(InputError { place, what, remedy }) => {
+        Effect::Refused(InputError { place, what, remedy, .. }) => {
             let keys = [("place", place), ("what", what), ("remedy", remedy)];
             node.set("refused", Node::object(keys.map(|(key, text)| (key, Node::from(text)))));
         }
@@ -148,18 +148,25 @@ fn read_move(frame: &Frame, at: &Reader<'_>) -> Result<Recorded, Error> {
     } else if let Some(fault) = at.get("refused") {
         let text = |key| Ok(fault.require(key, "a text")?.text("a text")?.to_owned());
         let (place, what, remedy) = (text("place")?, text("what")?, text("remedy")?);
-        return Ok(Recorded::Unread(InputError { place, what, remedy }, cost));
+        return Ok(Recorded::Unread(unread(place, what, remedy), cost));
     } else if at.get("late").is_some() {
-        let fault = InputError { place: String::new(), what: String::new(), remedy: String::new() };
+        let fault = unread(String::new(), String::new(), String::new());
         return Ok(Recorded::Unread(fault, cost));
     } else {
-        return Err(
-            at.refuse("it has no answer", "write play, choice, concede, failed, refused or late")
-        );
+        return Err(at.refuse(
+            ErrorKind::Missing,
+            "it has no answer",
+            "write play, choice, concede, failed, refused or late",
+        ));
     };
     let win_chance = at.get("win_chance").map(|at| read_number(&at)).transpose()?;
     let Cost { spent, seconds } = cost;
     Ok(Recorded::Decision(Decision { answer, win_chance, spent }, seconds))
+}
+
+/// The fault of an answer that could not be read. A record keeps its words and not its kind.
+const fn unread(place: String, what: String, remedy: String) -> InputError {
+    InputError { kind: ErrorKind::Syntax, place, what, remedy, details: Vec::new() }
 }
 
 fn read_cost(at: &Reader<'_>) -> Result<Cost, Error> {
@@ -194,7 +201,11 @@ pub(crate) fn frame_points(node: &Node) -> Result<FramePoints, Error> {
         },
     };
     if points.is_some_and(|points| ![0.0, 0.5, 1.0].contains(&points)) {
-        return Err(end.refuse("a frame has other points", "write 0.0, 0.5 or 1.0"));
+        return Err(end.refuse(
+            ErrorKind::OutOfRange,
+            "a frame has other points",
+            "write 0.0, 0.5 or 1.0",
+        ));
     }
     Ok(FramePoints { points, reason })
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use carom::format::{Node, Reader};
 use carom::noise::Perception;
-use carom::{Error, Noise};
+use carom::{Error, ErrorKind, Noise};
 use carom_rules::{Game, Options};
 
 use super::values::{play, read_play, read_whole, two, whole};
@@ -116,7 +116,7 @@ impl MatchHeader {
         let format = header.require("format", &format!("\"{MATCH_FORMAT}\""))?;
         if format.text(MATCH_FORMAT)? != MATCH_FORMAT {
             let remedy = format!("give a record with the format \"{MATCH_FORMAT}\"");
-            return Err(format.refuse("it is another format", remedy));
+            return Err(format.refuse(ErrorKind::Format, "it is another format", remedy));
         }
         header.keys(KEYS)?;
         let text = |key: &str| Ok(header.require(key, "a text")?.text("a text")?.to_owned());
@@ -214,7 +214,11 @@ fn read_clock(at: &Reader<'_>) -> Result<Clock, Error> {
         (None, Some(amount)) => {
             Ok(Clock { unit: ClockUnit::Seconds, period, amount: amount.exact_number()? })
         }
-        _ => Err(at.refuse("it has no unit, or two", "write either simulations or seconds")),
+        _ => Err(at.refuse(
+            ErrorKind::Conflict,
+            "it has no unit, or two",
+            "write either simulations or seconds",
+        )),
     }
 }
 

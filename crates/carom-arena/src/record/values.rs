@@ -1,10 +1,10 @@
 //! Values of records that occur in several places: plays, strikes and seeds.
 
-use carom::Error;
 use carom::format::{Node, Reader};
 use carom::resolve::cue_ball::Strike;
 use carom::shot::Cling;
 use carom::table::PocketName;
+use carom::{Error, ErrorKind};
 use carom_rules::{BallIndex, Call, Frame, Play};
 
 /// What to write for a place of the cue ball.
@@ -52,9 +52,11 @@ pub(super) fn two<T>(
     let wanted = "a list of two values";
     match at.items(wanted)?.as_slice() {
         [one, other] => Ok([read(one)?, read(other)?]),
-        items => {
-            Err(at.refuse(format!("found a list of {}", items.len()), format!("write {wanted}")))
-        }
+        items => Err(at.refuse(
+            ErrorKind::WrongCount,
+            format!("found a list of {}", items.len()),
+            format!("write {wanted}"),
+        )),
     }
 }
 

@@ -148,7 +148,7 @@ impl Player for Failing {
     ) -> Result<Decision, Error> {
         self.0 += 1;
         if self.0 > 1 {
-            return Err(Error::input("mind", "it has lost its way", "mend it"));
+            return Err(carom::ErrorKind::System.at("mind", "it has lost its way", "mend it"));
         }
         RandomPlayer.decide(situation, budget)
     }

@@ -2,7 +2,7 @@
 
 use carom::math::{Vec2, asin, atan2, sqrt};
 use carom::resolve::cue_ball::Strike;
-use carom::{Error, Table};
+use carom::{Error, ErrorKind, Table};
 use carom_rules::{Frame, Play, Region, Turn};
 
 use crate::scene::{Scene, SceneBall};
@@ -58,7 +58,7 @@ impl BreakShot {
         ] {
             if !(low..=high).contains(&value) {
                 let what = format!("{value:?} is out of range");
-                return Err(Error::input(name, what, format!("write {low} to {high}")));
+                return Err(ErrorKind::OutOfRange.at(name, what, format!("write {low} to {high}")));
             }
         }
         Ok(())
@@ -97,7 +97,11 @@ impl BreakShot {
         let aimed = scene.ball(turn.cue).zip(first_ball(&scene, prepared));
         let Some((cue, first)) = aimed else {
             let what = "there is no ball to break";
-            return Err(Error::input("frame", what, "give a frame that asks for an opening shot"));
+            return Err(ErrorKind::WrongState.at(
+                "frame",
+                what,
+                "give a frame that asks for an opening shot",
+            ));
         };
         let way = first.center - cue.center;
         // To the right of the way: the azimuth grows to the left.

@@ -33,8 +33,8 @@ pub use pick_pocket::{PickPocket, PickPocketSettings};
 pub use planner::Planner;
 pub use pool_master::{PoolMaster, PoolMasterSettings};
 
-use carom::Error;
 use carom::format::{Node, Reader};
+use carom::{Error, ErrorKind};
 
 use crate::player::Player;
 use planner::Method;
@@ -90,11 +90,13 @@ impl Literature {
             "pick-pocket" => self.planner(PickPocketSettings::read(settings)?),
             "cue-card" => self.planner(CueCardSettings::read(settings)?),
             _ => {
-                return Err(Error::input(
-                    "player",
-                    format!("there is no player of the literature called \"{name}\""),
-                    format!("write one of {}", NAMES.join(", ")),
-                ));
+                return Err(ErrorKind::UnknownName
+                    .at(
+                        "player",
+                        format!("there is no player of the literature called \"{name}\""),
+                        format!("write one of {}", NAMES.join(", ")),
+                    )
+                    .with("name", name));
             }
         })
     }

@@ -5,9 +5,9 @@
 //! them. The first generation covers the whole space evenly. Every generation breaks new racks, so that
 //! no break profits from racks that suit it. The finalists are compared by sequential halving.
 
-use carom::Error;
 use carom::math::sqrt;
 use carom::runner::Runner;
+use carom::{Error, ErrorKind};
 use carom_rules::{Frame, OpeningKind};
 use rand_pcg::Pcg64;
 use rand_pcg::rand_core::Rng;
@@ -277,7 +277,7 @@ pub(crate) fn variants(
 
 fn unplayable() -> Error {
     let what = "no break can be played on this table";
-    Error::input("frame", what, "look at the places of the balls")
+    ErrorKind::NoPlay.at("frame", what, "look at the places of the balls")
 }
 
 /// Uniform in (0, 1).

@@ -2,7 +2,7 @@
 
 use carom::noise::{Errors, Perception};
 use carom::runner::Runner;
-use carom::{Error, Noise};
+use carom::{Error, ErrorKind, Noise};
 use carom_rules::{Frame, OpeningKind, Request, Seat, Turn};
 
 use super::replies::quick_value;
@@ -69,7 +69,7 @@ impl<'a> Racks<'a> {
         let start = situation.frame;
         if !start.is_opening() {
             let what = "it does not ask for an opening shot";
-            return Err(Error::input("frame", what, "give a frame before its break"));
+            return Err(ErrorKind::WrongState.at("frame", what, "give a frame before its break"));
         }
         let noise = [situation.noise[seat].clone(), situation.noise[1 - seat].clone()];
         let (perception, seed) = (situation.perception.clone(), situation.seed);

@@ -1,6 +1,6 @@
 //! What a search is asked.
 
-use carom::{Error, Noise};
+use carom::{Error, ErrorKind, Noise};
 use carom_rules::{Frame, Request, Seat, Turn};
 
 use crate::player::{Budget, Situation};
@@ -23,7 +23,7 @@ impl<'a> ShotTask<'a> {
     pub(crate) fn new(situation: &'a Situation<'a>, value: &'a dyn Value) -> Result<Self, Error> {
         let Request::Shot(turn) = situation.asked()?.1 else {
             let what = "it asks for a choice, not for a shot";
-            return Err(Error::input("frame", what, "let the player choose"));
+            return Err(ErrorKind::WrongState.at("frame", what, "let the player choose"));
         };
         Ok(Self { situation, turn, value })
     }

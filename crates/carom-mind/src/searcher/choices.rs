@@ -1,6 +1,6 @@
 //! Choices: the position after each of them is searched.
 
-use carom::Error;
+use carom::{Error, ErrorKind};
 use carom_rules::{Choice, Frame, Request, Seat};
 
 use super::Searcher;
@@ -80,7 +80,11 @@ impl Searcher {
             }
         }
         let Some((choice, value)) = best else {
-            return Err(Error::input("frame", "it offers no choice", "look at its request"));
+            return Err(ErrorKind::WrongState.at(
+                "frame",
+                "it offers no choice",
+                "look at its request",
+            ));
         };
         Ok(Decision { answer: Answer::Choice(choice), win_chance: Some(value), spent })
     }

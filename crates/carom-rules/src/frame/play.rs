@@ -4,7 +4,7 @@ use carom::event::NullRecorder;
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{Policy, StrikePolicy};
-use carom::{BallState, Error, Noise, Shot, Trace};
+use carom::{BallState, Error, ErrorKind, Noise, Shot, Trace};
 
 use super::{Frame, FrameSimulator, Prepared};
 use crate::execution::{ErrorSeeds, execute};
@@ -80,7 +80,7 @@ impl Frame {
     /// The shot that the frame asks for.
     pub(super) fn asked_turn(&self) -> Result<&Turn, Error> {
         self.turn().ok_or_else(|| {
-            Error::input(
+            ErrorKind::WrongState.at(
                 "play",
                 "the frame does not ask for a shot now",
                 "look at its request: answer the choice, or begin a new frame",
@@ -90,34 +90,47 @@ impl Frame {
 
     pub(super) fn check_call(&self, turn: &Turn, call: Call) -> Result<(), Error> {
         let calls = &turn.calls;
-        let wrong = |what: &str, remedy: &str| Err(Error::input("call", what, remedy));
+        let wrong = |kind: ErrorKind, what: &str, remedy: &str| Err(kind.at("call", what, remedy));
         match call {
-            Call::Nothing if calls.required => {
-                wrong("nothing is called", "call a ball and its pocket, or a safety")
-            }
-            Call::Nothing if calls.nominate => {
-                wrong("no ball is nominated", "nominate one of the balls on")
-            }
+            Call::Nothing if calls.required => wrong(
+                ErrorKind::NoCall,
+                "nothing is called",
+                "call a ball and its pocket, or a safety",
+            ),
+            Call::Nothing if calls.nominate => wrong(
+                ErrorKind::NoNomination,
+                "no ball is nominated",
+                "nominate one of the balls on",
+            ),
             Call::Pocket(ball, _) => {
                 if !calls.pocket {
-                    return wrong("this shot is not called", "leave the call out");
+                    return wrong(
+                        ErrorKind::NotCalled,
+                        "this shot is not called",
+                        "leave the call out",
+                    );
                 }
                 if ball == turn.cue || self.state.layout.is_down(ball) {
                     return wrong(
+                        ErrorKind::CalledBallDown,
                         "the called ball is not on the table",
                         "call an object ball that is",
                     );
                 }
                 Ok(())
             }
-            Call::Safety if !calls.safety => {
-                wrong("a safety is not called in this shot", "leave the call out")
-            }
+            Call::Safety if !calls.safety => wrong(
+                ErrorKind::NoSafety,
+                "a safety is not called in this shot",
+                "leave the call out",
+            ),
             Call::PushOut if !calls.push_out => wrong(
+                ErrorKind::NoPushOut,
                 "a push-out is allowed only in the first shot after a legal break",
                 "leave the call out",
             ),
             Call::On(ball) if !calls.nominate || !turn.on.contains(&ball) => wrong(
+                ErrorKind::WrongNomination,
                 "that ball cannot be nominated",
                 "nominate one of the balls on, if the frame asks for it",
             ),
@@ -131,24 +144,39 @@ impl Frame {
         put: Option<[f64; 2]>,
         place: Option<[f64; 2]>,
     ) -> Result<(), Error> {
-        let wrong = |what: String, remedy: &str| Err(Error::input("cue_ball", what, remedy));
+        let wrong =
+            |kind: ErrorKind, what: String, remedy: &str| Err(kind.at("cue_ball", what, remedy));
         let Some(region) = turn.hand else {
             return match put {
-                Some(_) => wrong("the cue ball is not in hand".into(), "play it where it lies"),
+                Some(_) => wrong(
+                    ErrorKind::NotInHand,
+                    "the cue ball is not in hand".into(),
+                    "play it where it lies",
+                ),
                 None => Ok(()),
             };
         };
         let Some(place) = place else {
-            return wrong("the cue ball is in hand".into(), "give the place where it is put");
+            return wrong(
+                ErrorKind::NoPlace,
+                "the cue ball is in hand".into(),
+                "give the place where it is put",
+            );
         };
         if !region.holds(self.state.base.table(), place) {
             let table = self.state.base.table();
             let what = format!("[{:?}, {:?}] is not {}", place[0], place[1], region.words());
-            return wrong(what, &format!("put it {}", region.limits(table)));
+            let refused =
+                wrong(ErrorKind::OutsideRegion, what, &format!("put it {}", region.limits(table)));
+            return refused.map_err(|error| error.with("region", region.name()));
         }
         // A cue ball that is not moved may stay where it lies, even if it touches another ball.
         if put.is_some() && !self.state.layout.is_free(turn.cue, place) {
-            return wrong("it would touch another ball".into(), "put it where there is room");
+            return wrong(
+                ErrorKind::TouchesBall,
+                "it would touch another ball".into(),
+                "put it where there is room",
+            );
         }
         Ok(())
     }
@@ -210,7 +238,7 @@ impl Frame {
     /// As [`Self::play`], and [`Error::Input`] if `trace` belongs to another shot.
     pub fn apply(&mut self, play: &Play, trace: &Trace) -> Result<Ruling, Error> {
         if *trace.shot() != self.shot(play)? {
-            return Err(Error::input(
+            return Err(ErrorKind::Mismatch.at(
                 "trace",
                 "it belongs to another shot than the one that is played",
                 "simulate the shot that the frame returns for this play",

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use carom::noise::StruckBall;
 use carom::resolve::cue_ball::Strike;
-use carom::{Error, Shot};
+use carom::{Error, ErrorKind, Shot};
 
 use super::Frame;
 use crate::layout::{BallList, FrameLayout};
@@ -85,13 +85,17 @@ impl<'a> Prepared<'a> {
         if shot.until().is_some() {
             let what =
                 "the shot has an end time, but the rules judge it when all balls are at rest";
-            return Err(Error::input("until", what, "leave it out"));
+            return Err(ErrorKind::Conflict.at("until", what, "leave it out"));
         }
         let before = frame.layout_with(&turn, cue_ball)?;
         let balls: BallList = before.on_table().collect();
         if balls.len() != shot.balls().len() {
             let what = format!("it has {} balls, the frame {}", shot.balls().len(), balls.len());
-            return Err(Error::input("shot", what, "give the shot that the frame returns"));
+            return Err(ErrorKind::WrongCount.at(
+                "shot",
+                what,
+                "give the shot that the frame returns",
+            ));
         }
         Ok(Self { frame, turn, shot: Cow::Borrowed(shot), balls, before })
     }
@@ -141,9 +145,7 @@ impl<'a> Prepared<'a> {
 /// An error at the place of ball `cue` of a shot, as an error at the play's `cue_ball`.
 fn at_cue_ball(error: Error, cue: usize) -> Error {
     match error {
-        Error::Input(e) if e.place == format!("balls[{cue}].position") => {
-            Error::input("cue_ball", e.what, e.remedy)
-        }
+        Error::Input(ref e) if e.place == format!("balls[{cue}].position") => error.at("cue_ball"),
         other => other,
     }
 }

@@ -2,7 +2,7 @@
 
 use carom::rack::Game;
 use carom::shot::PlacedBall;
-use carom::{Error, MotionState, Shot};
+use carom::{Error, ErrorKind, MotionState, Shot};
 
 use super::Frame;
 use crate::options::Options;
@@ -35,12 +35,19 @@ impl Frame {
         let mut places = vec![None; self.layout().len()];
         for (i, PlacedBall { id, ball, state }) in shot.balls().iter().enumerate() {
             let index = usize::from(self.ball(id, &format!("balls[{i}].id"))?);
-            let wrong = |what: &str, remedy| Err(Error::input(format!("balls[{i}]"), what, remedy));
+            let wrong = |kind: ErrorKind, what: &str, remedy| {
+                Err(kind.at(format!("balls[{i}]"), what, remedy))
+            };
             if *ball != self.layout().balls()[index].ball {
-                return wrong("its mass or radius is not the game's", "leave them out");
+                return wrong(
+                    ErrorKind::Mismatch,
+                    "its mass or radius is not the game's",
+                    "leave them out",
+                );
             }
             if state.motion != MotionState::Stationary {
                 return wrong(
+                    ErrorKind::Moving,
                     "it moves, but a frame asks for a shot only when all balls are at rest",
                     "leave out its velocity and angular velocity",
                 );
@@ -62,20 +69,25 @@ impl Frame {
     /// colour that is not the next in order, or a colour while reds are left; any ball in
     /// three-cushion. Overlapping balls are reported by the next shot.
     pub fn resume_at(&mut self, places: &[Option<[f64; 2]>], seat: Seat) -> Result<(), Error> {
-        let wrong = |what: String, remedy: &str| Err(Error::input("places", what, remedy));
+        let wrong =
+            |kind: ErrorKind, what: String, remedy: &str| Err(kind.at("places", what, remedy));
         if places.len() != self.state.layout.len() {
             let what = format!("{} places for {} balls", places.len(), self.state.layout.len());
-            return wrong(what, "give one for every ball");
+            return wrong(ErrorKind::WrongCount, what, "give one for every ball");
         }
         if places.iter().flatten().flatten().any(|x| !x.is_finite()) {
-            return wrong("a coordinate is not a finite number".into(), "write places in m");
+            return wrong(
+                ErrorKind::OutOfRange,
+                "a coordinate is not a finite number".into(),
+                "write places in m",
+            );
         }
         if seat > 1 {
             let what = format!("there is no player {seat}");
-            return Err(Error::input("player", what, "write 0 or 1"));
+            return Err(ErrorKind::OutOfRange.at("player", what, "write 0 or 1"));
         }
         if let Some(what) = self.game_state.rules().missing(places) {
-            return wrong(what, "give the missing balls places on the table");
+            return wrong(ErrorKind::Missing, what, "give the missing balls places on the table");
         }
         for (ball, place) in (0..).zip(places) {
             self.state.layout.put(ball, *place);

@@ -5,7 +5,7 @@ use alloc::format;
 use super::key_path::KeyPath;
 use super::node::Node;
 use super::read::Fields;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::math::{degrees, radians};
 use crate::range::Range;
 use crate::shot;
@@ -58,6 +58,7 @@ impl Angle {
     pub(super) fn read(&self, fields: &Fields<'_>) -> Result<Option<f64>, Error> {
         match (fields.get(self.radians_key), fields.get(self.degrees_key)) {
             (Some(at), Some(_)) => Err(at.refuse(
+                ErrorKind::Duplicate,
                 format!("{} gives the same angle", self.degrees_key),
                 format!("keep {} (rad) or {} (degrees)", self.radians_key, self.degrees_key),
             )),

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use super::node::Node;
 use super::read::At;
 use crate::ball::{MASS, RADIUS};
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::math::Vec3;
 use crate::shot::PlacedBall;
 use crate::{Ball, BallState};
@@ -42,12 +42,18 @@ fn read_one(at: &At<'_>, default: &Ball) -> Result<PlacedBall, Error> {
     {
         if fields.get("angular_velocity").is_some() {
             let what = "a rolling ball's spin follows from its velocity";
-            return Err(at.refuse(what, "remove angular_velocity, or rolling"));
+            return Err(at.refuse(
+                ErrorKind::Conflict,
+                what,
+                "remove angular_velocity, or rolling",
+            ));
         }
         if fields.get("velocity").is_none() {
-            return Err(
-                at.refuse("the ball has no velocity", "write its velocity, [x, y, 0] in m/s")
-            );
+            return Err(at.refuse(
+                ErrorKind::Missing,
+                "the ball has no velocity",
+                "write its velocity, [x, y, 0] in m/s",
+            ));
         }
         state.angular_velocity = rolling_spin(state.velocity, ball.radius);
     }

@@ -4,7 +4,7 @@ use alloc::format;
 
 use super::node::Node;
 use super::read::At;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::physics::ball_surface::CHALKED;
 use crate::physics::quantities::FRICTION;
 use crate::shot::{Cling, MOST_CONTACTS};
@@ -19,7 +19,11 @@ pub(super) fn read(at: &At<'_>) -> Result<Cling, Error> {
     for item in fields.require("contacts", wanted)?.items(wanted)? {
         let contact = item.whole(0, MOST_CONTACTS - 1)?;
         if cling.contains(contact) {
-            return Err(item.refuse(format!("contact {contact} is listed twice"), "remove one"));
+            return Err(item.refuse(
+                ErrorKind::Duplicate,
+                format!("contact {contact} is listed twice"),
+                "remove one",
+            ));
         }
         cling = Cling::new(cling.contacts().chain([contact]), friction);
     }

@@ -4,7 +4,7 @@ use alloc::format;
 
 use super::read::At;
 use super::{SHOT_FORMAT, TRACE_FORMAT};
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 
 /// Each format with what its file is, and what reads it.
 const KINDS: [(&str, &str, &str); 5] = [
@@ -28,6 +28,7 @@ impl At<'_> {
         }
         match KINDS.iter().find(|(format, ..)| *format == found) {
             Some((_, what, reader)) => Err(self.refuse(
+                ErrorKind::Format,
                 format!("the file is {what}, \"{found}\", but \"{expected}\" is needed"),
                 *reader,
             )),

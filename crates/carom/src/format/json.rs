@@ -9,7 +9,7 @@ use core::fmt;
 use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, SeqAccess, Visitor};
 
 use super::node::Node;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 
 impl Node {
     /// Reads JSON text.
@@ -55,18 +55,22 @@ fn explain(text: &str, place: &str, e: &serde_json::Error) -> Error {
             _ if place.ends_with(&format!(".{key}")) || place == key => String::from(place),
             _ => format!("{place}.{key}"),
         };
-        return Error::input(place, format!("the key occurs twice ({at})"), "keep one of the two");
+        return ErrorKind::Duplicate.at(
+            place,
+            format!("the key occurs twice ({at})"),
+            "keep one of the two",
+        );
     }
     let token = token_at(text, e.line(), e.column());
     if ["nan", "inf", "-inf", "+inf", "-nan"].iter().any(|w| token.to_lowercase().starts_with(w)) {
-        return Error::input(
+        return ErrorKind::OutOfRange.at(
             place,
             format!("{token} ({at}) is not a number that a shot can use"),
             "write a finite number",
         );
     }
     if message.starts_with("number out of range") {
-        return Error::input(
+        return ErrorKind::OutOfRange.at(
             place,
             format!("the number is too large for a double ({at})"),
             "write a finite number",
@@ -74,7 +78,10 @@ fn explain(text: &str, place: &str, e: &serde_json::Error) -> Error {
     }
     let reason = message.split(" at line").next().unwrap_or(&message);
     let found = if token.is_empty() { String::new() } else { format!(" at `{token}`") };
-    Error::input(place, format!("not JSON: {reason}{found} ({at})"), "correct the text there")
+    ErrorKind::Syntax
+        .at(place, format!("not JSON: {reason}{found} ({at})"), "correct the text there")
+        .with("line", e.line() as f64)
+        .with("column", e.column() as f64)
 }
 
 /// The word at this line and column, where a syntax error is.

@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 use core::fmt;
 
 use super::node::Node;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 
 /// The path of a value in a shot file: keys with dots between them, `[i]` for an item of a list. A
 /// ball may be named by its id.
@@ -32,7 +32,7 @@ impl KeyPath {
         let refuse = |what: &str| {
             let remedy = "write keys with dots between them, such as strike.speed, \
                           physics.cloth.sliding_friction, balls.cue.position or balls.cue.position[0]";
-            Error::input(text, what, remedy)
+            ErrorKind::Syntax.at(text, what, remedy)
         };
         let mut steps = Vec::new();
         for part in text.split('.') {
@@ -67,7 +67,11 @@ impl KeyPath {
         let mut node = file;
         for (depth, step) in self.steps.iter().enumerate() {
             node = inside(node, step).map_err(|(what, remedy)| {
-                Error::input(Self { steps: self.steps[..=depth].into() }.to_string(), what, remedy)
+                ErrorKind::UnknownKey.at(
+                    Self { steps: self.steps[..=depth].into() }.to_string(),
+                    what,
+                    remedy,
+                )
             })?;
         }
         *node = value;

@@ -7,7 +7,7 @@ use alloc::vec::Vec;
 use super::node::Node;
 use super::physics::write_value;
 use crate::edition::{self, Edition};
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::physics::presets::source;
 use crate::physics::quantities::{GROUPS, QUANTITIES, Quantity, QuantityShape};
 use crate::physics::{Evidence, Physics};
@@ -67,7 +67,7 @@ fn add(node: &Node, path: &str, from: (Evidence, &'static str), list: &mut Vec<P
 pub fn coefficient_at(physics: &Physics, key: &str, at: f64) -> Result<f64, Error> {
     if !(at >= 0.0 && at.is_finite()) {
         let what = format!("{at:?} is out of range");
-        return Err(Error::input("at", what, "give a finite speed or angle ≥ 0"));
+        return Err(ErrorKind::OutOfRange.at("at", what, "give a finite speed or angle ≥ 0"));
     }
     let laws = || QUANTITIES.iter().filter_map(|q| Some((q.path, q.law()?.1)));
     match laws().find(|(path, _)| *path == key) {
@@ -75,7 +75,7 @@ pub fn coefficient_at(physics: &Physics, key: &str, at: f64) -> Result<f64, Erro
         None => {
             let what = format!("\"{key}\" is not a coefficient that may depend on speed or angle");
             let keys: Vec<_> = laws().map(|(path, _)| path).collect();
-            Err(Error::input("key", what, format!("write one of {}", keys.join(", "))))
+            Err(ErrorKind::UnknownName.at("key", what, format!("write one of {}", keys.join(", "))))
         }
     }
 }

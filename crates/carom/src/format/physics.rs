@@ -8,7 +8,7 @@ use super::angle::STROKE_ELEVATION;
 use super::node::Node;
 use super::read::{At, Fields};
 use crate::edition;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::physics::quantities::{
     BAND_END, FRACTION, FRICTION, Formula, GROUPS, QUANTITIES, Quantity, QuantityShape, Words,
 };
@@ -136,7 +136,7 @@ fn check_slip_friction(at: &At<'_>, physics: &Physics) -> Result<(), Error> {
         return Ok(());
     }
     let what = format!("the friction a + b at slip speed 0 is {at_rest:?}");
-    Err(at.refuse(what, "choose a and b with a + b ≥ 0"))
+    Err(at.refuse(ErrorKind::OutOfRange, what, "choose a and b with a + b ≥ 0"))
 }
 
 fn check_cushion_restitution(
@@ -152,12 +152,13 @@ fn check_cushion_restitution(
             (given, _) => (given.unwrap_or_else(|| at.clone()), format!("highest is {highest:?}")),
         };
         let what = format!("the lower limit is above the upper one: {other}");
-        return Err(place.refuse(what, "choose lowest ≤ highest"));
+        return Err(place.refuse(ErrorKind::OutOfRange, what, "choose lowest ≤ highest"));
     }
     if restitution.is_possible() {
         return Ok(());
     }
     Err(at.refuse(
+        ErrorKind::OutOfRange,
         format!("a + bV + cV² is outside [{lowest}, {highest}] at every normal speed V"),
         "choose a, b and c that give a coefficient of restitution within the limits",
     ))
@@ -174,7 +175,7 @@ fn read_tip(
         (fields.get("tip_restitution"), fields.get("tip_efficiency"))
     {
         let what = "tip_restitution and tip_efficiency describe the same property";
-        return Err(efficiency.refuse(what, "keep one of the two"));
+        return Err(efficiency.refuse(ErrorKind::Duplicate, what, "keep one of the two"));
     }
     physics.cue.tip = tip(at.number(&FRACTION)?);
     physics.cue.tip_off_centre_loss = 0.0;
@@ -186,7 +187,11 @@ fn check_loss(at: &At<'_>, physics: &Physics) -> Result<(), Error> {
         return Ok(());
     }
     let what = "tip_efficiency describes the loss off the centre, too";
-    Err(at.refuse(what, "leave it out, or give tip_restitution instead of tip_efficiency"))
+    Err(at.refuse(
+        ErrorKind::Conflict,
+        what,
+        "leave it out, or give tip_restitution instead of tip_efficiency",
+    ))
 }
 
 /// `physics` as a shot file has it, if `default` is the preset that belongs to the table; `None` if

@@ -6,7 +6,7 @@ use alloc::vec::Vec;
 use core::fmt::Display;
 
 use super::node::Node;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::range::{Range, describe_number};
 
 /// A parameter smaller than this, whatever its unit, is read as 0, because its square could
@@ -110,8 +110,13 @@ impl<'a> Reader<'a> {
     }
 
     /// An error at the place of the value.
-    pub fn refuse(&self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
-        self.0.refuse(what, remedy)
+    pub fn refuse(
+        &self,
+        kind: ErrorKind,
+        what: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Error {
+        self.0.refuse(kind, what, remedy)
     }
 
     /// The error for a value of a wrong type; `wanted` names what to write instead.
@@ -149,12 +154,21 @@ impl<'a> At<'a> {
     }
 
     /// An error at this place.
-    pub(crate) fn refuse(&self, what: impl Into<String>, remedy: impl Into<String>) -> Error {
-        Error::input(&*self.place, what, remedy)
+    pub(crate) fn refuse(
+        &self,
+        kind: ErrorKind,
+        what: impl Into<String>,
+        remedy: impl Into<String>,
+    ) -> Error {
+        kind.at(&*self.place, what, remedy)
     }
 
     fn wrong_type(&self, wanted: &str) -> Error {
-        self.refuse(format!("found {}", describe(self.node)), format!("write {wanted}"))
+        let kind = match self.node {
+            Node::Null => ErrorKind::Missing,
+            _ => ErrorKind::WrongType,
+        };
+        self.refuse(kind, format!("found {}", describe(self.node)), format!("write {wanted}"))
     }
 
     /// The fields of an object; unknown keys are refused.
@@ -171,7 +185,7 @@ impl<'a> At<'a> {
                     }
                     None => format!("the keys known here are {}", allowed.join(", ")),
                 };
-                return Err(Error::input(place, "unknown key", remedy));
+                return Err(ErrorKind::UnknownKey.at(place, "unknown key", remedy));
             }
         }
         Ok(Fields { fields, at: self.clone() })
@@ -246,15 +260,21 @@ impl<'a> At<'a> {
             // Some writers write 100 as 100.0.
             Node::Number(x) if *x == (*x as i64) as f64 => *x as i64,
             Node::Number(x) => {
-                return Err(
-                    self.refuse(format!("{x:?} is not a whole number"), format!("write {wanted}"))
-                );
+                return Err(self.refuse(
+                    ErrorKind::OutOfRange,
+                    format!("{x:?} is not a whole number"),
+                    format!("write {wanted}"),
+                ));
             }
             _ => return Err(self.wrong_type(&wanted)),
         };
         match T::try_from(i) {
             Ok(i) if (low..=high).contains(&i) => Ok(i),
-            _ => Err(self.refuse(format!("{i} is out of range"), format!("write {wanted}"))),
+            _ => Err(self.refuse(
+                ErrorKind::OutOfRange,
+                format!("{i} is out of range"),
+                format!("write {wanted}"),
+            )),
         }
     }
 
@@ -280,7 +300,7 @@ impl<'a> At<'a> {
         let Node::List(items) = self.node else { return Err(self.wrong_type(&wanted())) };
         if !(low..=high).contains(&items.len()) {
             let found = format!("found a list of {}", items.len());
-            return Err(self.refuse(found, format!("write {}", wanted())));
+            return Err(self.refuse(ErrorKind::WrongCount, found, format!("write {}", wanted())));
         }
         // The place of a number is formatted only if it is refused.
         let number = |(i, node): (usize, &'a Node)| match node {
@@ -316,7 +336,8 @@ impl<'a> At<'a> {
             Some(near) => format!("did you mean \"{near}\"? (known: {})", quoted(known)),
             None => format!("write one of {}", quoted(known)),
         };
-        self.refuse(format!("there is no {kind} \"{word}\""), remedy)
+        self.refuse(ErrorKind::UnknownName, format!("there is no {kind} \"{word}\""), remedy)
+            .with("name", word)
     }
 }
 
@@ -341,7 +362,11 @@ impl<'a> Fields<'a> {
 
     /// The error for a missing `key`; `example` shows how to write its value.
     pub(crate) fn missing(&self, key: &str, example: &str) -> Error {
-        Error::input(self.at.child_place(key), "the key is missing", format!("write {example}"))
+        ErrorKind::Missing.at(
+            self.at.child_place(key),
+            "the key is missing",
+            format!("write {example}"),
+        )
     }
 
     /// Overwrites `target` with the number under `key`, if it is there.

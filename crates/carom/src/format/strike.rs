@@ -6,7 +6,7 @@ use alloc::string::String;
 use super::angle::{AZIMUTH, ELEVATION};
 use super::node::{Node, word_of};
 use super::read::At;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::resolve::cue_ball::Strike;
 use crate::shot::{OFFSET, PlacedBall, Policy, SPEED, StrikePolicy};
 
@@ -93,7 +93,12 @@ fn find_ball(at: &At<'_>, balls: &[PlacedBall]) -> Result<usize, Error> {
         if balls.len() > MOST_IDS {
             ids += ", ...";
         }
-        at.refuse(format!("no ball has the id \"{id}\""), format!("write one of {ids}"))
+        at.refuse(
+            ErrorKind::UnknownBall,
+            format!("no ball has the id \"{id}\""),
+            format!("write one of {ids}"),
+        )
+        .with("ball", id)
     })
 }
 

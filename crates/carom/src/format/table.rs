@@ -8,7 +8,7 @@ use alloc::vec::Vec;
 use super::node::{Node, word_of};
 use super::read::{At, Fields};
 use crate::edition;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::range::Range;
 use crate::table::{
     Markings, PocketDescription, PocketLayout, PocketModel, Sights, Spot, Table, TableDescription,
@@ -76,7 +76,7 @@ pub(super) fn read(at: &At<'_>) -> Result<(Arc<Table>, String), Error> {
 fn build(at: &At<'_>, description: TableDescription) -> Result<(Arc<Table>, String), Error> {
     let physics = description.physics.clone();
     let table = Table::from_description(&description).map_err(|TableError { key, problem }| {
-        Error::input(format!("{}.{key}", at.place()), problem, "")
+        ErrorKind::WrongTable.at(format!("{}.{key}", at.place()), problem, "")
     })?;
     Ok((table.into(), physics))
 }
@@ -85,6 +85,7 @@ fn unbounded(fields: &Fields<'_>, cloth: &At<'_>) -> Result<(Arc<Table>, String)
     cloth.choice("cloth", &[("unbounded", ())])?;
     if let Some(key) = KEYS.iter().find(|&&key| key != "cloth" && fields.get(key).is_some()) {
         return Err(fields.get(key).unwrap_or_else(|| cloth.clone()).refuse(
+            ErrorKind::Conflict,
             "unbounded cloth has no sides, rails or pockets",
             "leave the key out, or leave `cloth` out",
         ));

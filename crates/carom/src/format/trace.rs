@@ -11,7 +11,7 @@ use super::dated::with_dated_names;
 use super::node::Node;
 use super::read::{At, Fields};
 use super::shot::ShotFile;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::math::Vec3;
 use crate::range::Range;
 use crate::shot::{PlacedBall, Shot};
@@ -129,6 +129,7 @@ fn check_hash(fields: &Fields<'_>, trace: &Trace) -> Result<(), Error> {
         return Ok(());
     }
     Err(at.refuse(
+        ErrorKind::Changed,
         format!("the events and final states hash to {ours}, not to \"{written}\""),
         "the trace was changed after it was written: simulate its shot again",
     ))
@@ -143,6 +144,7 @@ fn read_end(fields: &Fields<'_>, shot: &Shot, last: &[BallState]) -> Result<Trac
         return Ok(end);
     }
     Err(at.refuse(
+        ErrorKind::Changed,
         format!(
             "found \"{}\", but the shot and the final states say \"{}\"",
             end.name(),
@@ -215,6 +217,7 @@ fn read_event(at: &At<'_>, shot: &Shot, log: &mut Log) -> Result<(), Error> {
         let items = at.items("a list of balls")?;
         if items.len() != balls.len() {
             return Err(at.refuse(
+                ErrorKind::WrongCount,
                 format!("found {} balls, but the event has {}", items.len(), balls.len()),
                 "write one for each ball of the event",
             ));
@@ -277,7 +280,12 @@ fn read_kind(fields: &Fields<'_>) -> Result<TraceEventKind, Error> {
 fn read_id(at: &At<'_>, shot: &Shot) -> Result<u16, Error> {
     let id = at.text("a ball's id")?;
     shot.ball_index(id).and_then(|i| u16::try_from(i).ok()).ok_or_else(|| {
-        at.refuse(format!("no ball has the id \"{id}\""), "write the id of one of shot.balls")
+        at.refuse(
+            ErrorKind::UnknownBall,
+            format!("no ball has the id \"{id}\""),
+            "write the id of one of shot.balls",
+        )
+        .with("ball", id)
     })
 }
 
@@ -285,6 +293,7 @@ fn read_final(at: &At<'_>, shot: &Shot) -> Result<Vec<BallState>, Error> {
     let items = at.items("a list of balls")?;
     if items.len() != shot.balls().len() {
         return Err(at.refuse(
+            ErrorKind::WrongCount,
             format!("found {} balls, but the shot has {}", items.len(), shot.balls().len()),
             "write one for each ball of the shot, in its order",
         ));
@@ -298,7 +307,7 @@ fn read_ball(at: &At<'_>, id: &str) -> Result<BallState, Error> {
     let written = at_id.text("the ball's id")?;
     if written != id {
         let what = format!("found the id \"{written}\" in the place of ball \"{id}\"");
-        return Err(at_id.refuse(what, format!("write \"{id}\"")));
+        return Err(at_id.refuse(ErrorKind::Mismatch, what, format!("write \"{id}\"")));
     }
     let vector = |key| {
         let v = fields.require(key, "three numbers")?.numbers_in(3, 3, &RESULT)?;

@@ -4,7 +4,7 @@ use alloc::format;
 use alloc::sync::Arc;
 
 use super::RANGES;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::math::sqrt;
 
 /// Largest difference of two numbers that should be equal, and largest negative variance, as a share
@@ -30,7 +30,11 @@ impl Covariance {
             for (j, number) in row.iter().enumerate() {
                 if !number.is_finite() {
                     let what = format!("{number:?} is not a covariance");
-                    return Err(Error::input(place(i, j), what, "write a finite number"));
+                    return Err(ErrorKind::OutOfRange.at(
+                        place(i, j),
+                        what,
+                        "write a finite number",
+                    ));
                 }
             }
             RANGES[i].squared().check(|| place(i, i), row[i])?;
@@ -43,7 +47,7 @@ impl Covariance {
                 if (a - b).abs() > ROUNDING * scale {
                     let what = format!("{a:?} differs from {b:?} at [{j}][{i}]");
                     let remedy = "write a symmetric matrix, such as numpy.cov(errors.T)";
-                    return Err(Error::input(place(i, j), what, remedy));
+                    return Err(ErrorKind::Conflict.at(place(i, j), what, remedy));
                 }
                 exact[i][j] = 0.5 * (a + b);
                 exact[j][i] = exact[i][j];
@@ -51,8 +55,7 @@ impl Covariance {
         }
         match factor(&exact) {
             Some(_) => Ok(Self(Arc::new(exact))),
-            None => Err(Error::input(
-                "noise.covariance",
+            None => Err(ErrorKind::OutOfRange.at("noise.covariance",
                 "the matrix is not positive semidefinite, so a combination of errors would have a \
                  negative variance",
                 "write the covariance of measured errors, such as numpy.cov(errors.T), with all its \

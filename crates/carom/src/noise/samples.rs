@@ -5,7 +5,7 @@ use alloc::sync::Arc;
 use alloc::vec::Vec;
 
 use super::RANGES;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 
 /// The most samples. A million would take 40 MB in every copy that a file or a record has.
 const MOST: usize = 100_000;
@@ -33,7 +33,7 @@ impl Samples {
         if !(1..=MOST).contains(&rows.len()) {
             let what = format!("{} samples are out of range", rows.len());
             let remedy = format!("write from 1 to {MOST} rows of five numbers");
-            return Err(Error::input("noise.samples", what, remedy));
+            return Err(ErrorKind::WrongCount.at("noise.samples", what, remedy));
         }
         for (i, row) in rows.iter().enumerate() {
             for (k, number) in row.iter().enumerate() {

@@ -7,7 +7,7 @@
 
 use alloc::format;
 
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 
 /// The largest number of speed bands. Purpose: the physics has a fixed size and needs no memory of
 /// its own. 13 bands follow the measured law of heated cloth up to 3 m/s within 0.2 % of the roll
@@ -63,7 +63,7 @@ impl RollingFriction {
     /// negative or not finite.
     pub fn from_bands(bands: &[RollingBand]) -> Result<Self, Error> {
         if bands.is_empty() || bands.len() > MAX_ROLLING_BANDS {
-            return Err(Error::input(
+            return Err(ErrorKind::WrongCount.at(
                 "",
                 format!("found a list of {} bands", bands.len()),
                 format!("write 1 to {MAX_ROLLING_BANDS} bands, or a number"),
@@ -126,7 +126,7 @@ impl RollingFriction {
 fn check(i: usize, band: &RollingBand, below: f64, is_last: bool) -> Result<(), Error> {
     let RollingBand { up_to, friction } = *band;
     let refuse = |key: &str, what: alloc::string::String, remedy: &str| {
-        Err(Error::input(format!("[{i}].{key}"), what, remedy))
+        Err(ErrorKind::OutOfRange.at(format!("[{i}].{key}"), what, remedy))
     };
     if !(friction >= 0.0 && friction.is_finite()) {
         return refuse("friction", format!("{friction:?} is no coefficient"), "write a number ≥ 0");

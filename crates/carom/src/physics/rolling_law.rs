@@ -18,7 +18,7 @@ use alloc::format;
 use alloc::vec::Vec;
 
 use super::{MAX_ROLLING_BANDS, RollingBand, RollingFriction};
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::math::log;
 
 /// A measured deceleration of rolling balls, D(v) = a + bv.
@@ -95,7 +95,7 @@ impl RollingLaw {
         self.check(gravity, tolerance)?;
         let needed = self.ends(tolerance);
         if needed.len() > MAX_ROLLING_BANDS {
-            return Err(Error::input(
+            return Err(ErrorKind::OutOfRange.at(
                 "share",
                 format!(
                     "the law needs more than {MAX_ROLLING_BANDS} bands up to {:?} m/s with this \
@@ -127,7 +127,11 @@ impl RollingLaw {
             ("least", least, least > 0.0, "write a length > 0, m, such as 0.005"),
         ] {
             if !(is_valid && value.is_finite()) {
-                return Err(Error::input(name, format!("{value:?} is out of range"), remedy));
+                return Err(ErrorKind::OutOfRange.at(
+                    name,
+                    format!("{value:?} is out of range"),
+                    remedy,
+                ));
             }
         }
         Ok(())

@@ -5,7 +5,7 @@ use alloc::format;
 use alloc::vec::Vec;
 
 use super::{Game, USUAL_GAP};
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::format::Node;
 use crate::physics::Evidence;
 
@@ -290,11 +290,13 @@ impl BreakPreset {
         let of_game = || ALL.iter().filter(move |preset| preset.game == game.opened_as());
         of_game().find(|preset| preset.name == name).ok_or_else(|| {
             let known: Vec<&str> = of_game().map(|preset| preset.name).collect();
-            Error::input(
-                "preset",
-                format!("{} has no break preset \"{name}\"", game.name()),
-                format!("write one of {}, or leave it out", known.join(", ")),
-            )
+            ErrorKind::UnknownName
+                .at(
+                    "preset",
+                    format!("{} has no break preset \"{name}\"", game.name()),
+                    format!("write one of {}, or leave it out", known.join(", ")),
+                )
+                .with("name", name)
         })
     }
 }

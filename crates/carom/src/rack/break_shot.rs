@@ -5,7 +5,7 @@ use alloc::vec::Vec;
 
 use super::{BreakPreset, CueBallPlace, Game, RackedBall, USUAL_GAP, rack};
 use crate::edition;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::math::{Vec2, Vec3, asin, atan2, degrees, radians, sqrt};
 use crate::resolve::cue_ball::Strike;
 use crate::shot::{
@@ -74,11 +74,13 @@ pub fn break_shot(opening: &Break<'_>) -> Result<Shot, Error> {
     let name = opening.table.unwrap_or(game.table());
     let unknown = || {
         let known = edition::names(edition::TABLES).join(", ");
-        Error::input(
-            "table",
-            format!("there is no table preset \"{name}\""),
-            format!("write one of {known}"),
-        )
+        ErrorKind::UnknownName
+            .at(
+                "table",
+                format!("there is no table preset \"{name}\""),
+                format!("write one of {known}"),
+            )
+            .with("name", name)
     };
     let table = Table::shared_preset(name).ok_or_else(unknown)?;
     let physics = table.description.as_ref().and_then(|d| Physics::preset(&d.physics));

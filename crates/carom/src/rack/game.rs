@@ -3,7 +3,7 @@
 
 use alloc::format;
 
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 
 /// What the engine needs of a game.
 pub(super) struct Equipment {
@@ -164,7 +164,9 @@ impl Game {
         Self::named(name).ok_or_else(|| {
             let known = Self::ALL.map(Self::name).join(", ");
             let what = format!("there is no game \"{name}\"");
-            Error::input("game", what, format!("write one of {known}"))
+            ErrorKind::UnknownName
+                .at("game", what, format!("write one of {known}"))
+                .with("name", name)
         })
     }
 

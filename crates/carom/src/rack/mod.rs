@@ -24,7 +24,7 @@ pub use game::Game;
 use game::{Order, Pattern};
 
 use crate::Table;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::math::{Vec2, sqrt};
 
 /// Mean gap between neighbours of a rack set by hand with a triangle, m: a tenth of a millimetre,
@@ -115,14 +115,14 @@ struct RackPlan<'a> {
 impl<'a> RackPlan<'a> {
     fn new(table: &'a Table, radius: f64, gap: f64) -> Result<Self, Error> {
         if !table.size.x.is_finite() {
-            return Err(Error::input(
+            return Err(ErrorKind::Unsupported.at(
                 "table",
                 "unbounded cloth has no spots to rack on",
                 "choose a table with rails",
             ));
         }
         if !(0.0..=WIDEST_GAP).contains(&gap) {
-            return Err(Error::input(
+            return Err(ErrorKind::OutOfRange.at(
                 "gap",
                 format!("{gap:?} m is out of range"),
                 format!("write a number in [0, {WIDEST_GAP}] m"),
@@ -130,7 +130,7 @@ impl<'a> RackPlan<'a> {
         }
         // Fifteen balls are five wide and about as long, in the quarter behind the foot spot.
         if !(radius > 0.0 && 20.0 * radius < table.size.x.min(table.size.y)) {
-            return Err(Error::input(
+            return Err(ErrorKind::OutOfRange.at(
                 "radius",
                 format!("balls of radius {radius:?} m do not fit on the table"),
                 "choose a radius of less than a twentieth of the table's sides",

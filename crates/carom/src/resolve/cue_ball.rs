@@ -25,6 +25,7 @@ use alloc::string::String;
 use core::fmt;
 
 use crate::Ball;
+use crate::error::ErrorKind;
 use crate::math::{Vec3, atan, sin_cos, sqrt};
 use crate::physics::{Cue, Tip};
 use crate::resolve::SPIN_PER_IMPULSE;
@@ -97,6 +98,15 @@ impl StrikeError {
                 "physics.cue.tip_efficiency is too low for a tip offset of {offset:.4} ball radii \
                  (the radicand of TP A.30 is negative)"
             ),
+        }
+    }
+
+    /// What kind of error it is.
+    pub const fn kind(&self) -> ErrorKind {
+        match self {
+            Self::OffBall { .. } => ErrorKind::MissesBall,
+            Self::Miscue { .. } => ErrorKind::Miscue,
+            Self::Unreachable { .. } => ErrorKind::Unreachable,
         }
     }
 

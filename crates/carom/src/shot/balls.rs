@@ -8,7 +8,7 @@ use core::ops::Deref;
 
 use super::PlacedBall;
 use crate::ball::{MASS, RADIUS};
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::limits::MAX_BALLS;
 use crate::math::{Vec3, sqrt};
 use crate::range::Range;
@@ -69,18 +69,22 @@ fn check_count(count: usize) -> Result<(), Error> {
         return Ok(());
     }
     let remedy = format!("write between 1 and {MAX_BALLS}");
-    Err(Error::input("balls", format!("found {count} balls"), remedy))
+    Err(ErrorKind::BallCount
+        .at("balls", format!("found {count} balls"), remedy)
+        .with("count", count as f64))
 }
 
 /// Refuses ids that are not unique, balls that are not inside the table, and overlaps.
 fn check(balls: &[PlacedBall], table: &Table) -> Result<(), Error> {
     for (i, ball) in balls.iter().enumerate() {
         if let Some(first) = balls[..i].iter().position(|b| b.id == ball.id) {
-            return Err(Error::input(
-                format!("balls[{i}].id"),
-                format!("\"{}\" is already the id of balls[{first}]", ball.id),
-                "give every ball its own id",
-            ));
+            return Err(ErrorKind::DuplicateId
+                .at(
+                    format!("balls[{i}].id"),
+                    format!("\"{}\" is already the id of balls[{first}]", ball.id),
+                    "give every ball its own id",
+                )
+                .with("id", &*ball.id));
         }
     }
     for (i, ball) in balls.iter().enumerate() {
@@ -101,7 +105,7 @@ pub(crate) fn fits(index: usize, balls: &[PlacedBall], table: &Table) -> bool {
 /// a ball either lies on the bed or does not.
 fn height(place: impl FnOnce() -> String, z: f64, radius: f64) -> Result<f64, Error> {
     if z < radius - TOUCH_TOLERANCE {
-        return Err(Error::input(
+        return Err(ErrorKind::InSlate.at(
             place(),
             format!(
                 "the ball is {} m deep in the slate: z = {z:?}, its radius {radius:?} m",
@@ -134,7 +138,7 @@ fn check_length(
         return Ok(());
     }
     let remedy = format!("write at most {most} {unit}");
-    Err(Error::input(place(), format!("{length:?} {unit} is out of range"), remedy))
+    Err(ErrorKind::OutOfRange.at(place(), format!("{length:?} {unit} is out of range"), remedy))
 }
 
 /// Refuses pairs that overlap by more than [`TOUCH_TOLERANCE`].
@@ -154,19 +158,23 @@ fn check_overlaps(balls: &[PlacedBall]) -> Result<(), Error> {
         }
     }
     let Some((later, first)) = found else { return Ok(()) };
-    Err(Error::input(
-        format!("balls[{later}].position"),
-        format!(
-            "ball \"{}\" overlaps balls[{first}] (\"{}\") by {:.3e} m",
-            balls[later].id,
-            balls[first].id,
-            depth(&balls[later], &balls[first]),
-        ),
-        format!(
-            "put their centres at least {:?} m apart",
-            balls[later].ball.radius + balls[first].ball.radius
-        ),
-    ))
+    Err(ErrorKind::Overlap
+        .at(
+            format!("balls[{later}].position"),
+            format!(
+                "ball \"{}\" overlaps balls[{first}] (\"{}\") by {:.3e} m",
+                balls[later].id,
+                balls[first].id,
+                depth(&balls[later], &balls[first]),
+            ),
+            format!(
+                "put their centres at least {:?} m apart",
+                balls[later].ball.radius + balls[first].ball.radius
+            ),
+        )
+        .with("ball", &*balls[later].id)
+        .with("other", &*balls[first].id)
+        .with("depth", depth(&balls[later], &balls[first])))
 }
 
 fn depth(a: &PlacedBall, b: &PlacedBall) -> f64 {

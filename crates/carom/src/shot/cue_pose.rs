@@ -13,7 +13,7 @@ use alloc::format;
 
 use super::obstruction::{BallInSpace, LENGTH, Touched};
 use super::{PlacedBall, Shot};
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::math::{Vec3, atan2, sin_cos, sqrt};
 use crate::resolve::cue_ball::Strike;
 
@@ -60,12 +60,12 @@ impl CuePose {
         let level = sqrt(x * x + y * y);
         if !self.direction.is_finite() || !self.tip.is_finite() {
             let what = "a coordinate is not a finite number";
-            return Err(Error::input("pose", what, "give finite numbers"));
+            return Err(ErrorKind::OutOfRange.at("pose", what, "give finite numbers"));
         }
         if level == 0.0 || z > 0.0 {
             let what = format!("a cue along ({x:?}, {y:?}, {z:?}) has no azimuth, or points up");
             let remedy = "give the direction in which the cue moves: forwards, level or downwards";
-            return Err(Error::input("direction", what, remedy));
+            return Err(ErrorKind::OutOfRange.at("direction", what, remedy));
         }
         let (azimuth, elevation) = (atan2(y, x), atan2(0.0 - z, level));
         let [_, right, up] = axes(azimuth, elevation);
@@ -75,7 +75,7 @@ impl CuePose {
         let offset = strike.offset();
         if offset >= 1.0 {
             let what = format!("the cue's axis passes the ball's centre at {offset:.4} ball radii");
-            return Err(Error::input("tip", what, "let it point at the ball: below 1"));
+            return Err(ErrorKind::MissesBall.at("tip", what, "let it point at the ball: below 1"));
         }
         Ok(strike)
     }

@@ -26,7 +26,7 @@ pub use strike::{Policy, StrikePolicy};
 
 use obstruction::CueLine;
 
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::math::{Vec3, degrees};
 use crate::range::{LARGEST, Range};
 use crate::resolve::cue_ball::{Strike, miscue_limit};
@@ -288,11 +288,9 @@ impl Shot {
         if let Some((ball, strike)) = &self.strike {
             if *ball >= self.balls.len() {
                 let remedy = format!("count the {} balls from 0", self.balls.len());
-                return Err(Error::input(
-                    "strike.ball",
-                    format!("there is no ball {ball}"),
-                    remedy,
-                ));
+                return Err(ErrorKind::UnknownBall
+                    .at("strike.ball", format!("there is no ball {ball}"), remedy)
+                    .with("ball", *ball as f64));
             }
             strike::check_ranges("strike", strike)?;
             strike::check("strike", *ball, strike, &self.balls, &self.physics)?;
@@ -450,21 +448,31 @@ impl Shot {
             return Ok(());
         }
         let cue = self.cue_on(ball, strike);
-        let what = match cue.obstruction(strike.elevation) {
+        let (key, name, what) = match cue.obstruction(strike.elevation) {
             None => return Ok(()),
-            Some(Touched::Ball(i)) => format!("ball \"{}\"", self.balls[usize::from(i)].id),
-            Some(Touched::Rail(rail)) => format!("the {} rail", rail.name()),
+            Some(Touched::Ball(i)) => {
+                let id = &*self.balls[usize::from(i)].id;
+                ("ball", id, format!("ball \"{id}\""))
+            }
+            Some(Touched::Rail(rail)) => ("rail", rail.name(), format!("the {} rail", rail.name())),
         };
-        let raise = match cue.least_elevation().map(degrees) {
+        let least = cue.least_elevation().map(degrees);
+        let raise = match least {
             // `{:.2}` rounds to the nearest; half a unit more rounds up.
             Some(least) => format!("raise the elevation to {:.2} degrees, ", least + 0.005),
             None => String::new(),
         };
-        Err(Error::input(
-            "strike.elevation_deg",
-            format!("the cue would pass through {what}"),
-            format!("{raise}turn the azimuth, or set strike.obstruction to \"report\""),
-        ))
+        let error = ErrorKind::CueObstructed
+            .at(
+                "strike.elevation_deg",
+                format!("the cue would pass through {what}"),
+                format!("{raise}turn the azimuth, or set strike.obstruction to \"report\""),
+            )
+            .with(key, name);
+        Err(match least {
+            Some(least) => error.with("least_elevation_deg", least),
+            None => error,
+        })
     }
 
     /// A state of ball `ball` in the engine's frame, converted to the file's. A coordinate that has
@@ -500,7 +508,7 @@ impl Shot {
 }
 
 fn no_strike() -> Error {
-    Error::input("strike", "the shot has no strike", "add one to vary it")
+    ErrorKind::NoStrike.at("strike", "the shot has no strike", "add one to vary it")
 }
 
 /// Makes `own` share what `other` shares. Counts of references are left alone if it does already:

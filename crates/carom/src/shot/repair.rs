@@ -14,7 +14,7 @@ use alloc::vec::Vec;
 
 use super::{BallInSpace, PlacedBall};
 use crate::Table;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::math::{Vec2, sqrt};
 use crate::range::Range;
 use crate::table::TOUCH_TOLERANCE;
@@ -102,7 +102,7 @@ pub fn repair(
             table,
             ball,
             limit,
-            format!("overlaps {{}} by {depth:.3e} m and has no room to move away"),
+            &format!("overlaps {{}} by {depth:.3e} m and has no room to move away"),
             "take a ball out, or measure the positions again",
         ));
     }
@@ -189,7 +189,7 @@ fn refuse_deeper(
     };
     let what =
         format!("overlaps {{}} by {depth:.3e} m, more than the tolerance of {tolerance:e} m");
-    Err(refusal(balls, table, ball, limit, what, "move them apart, or raise the tolerance"))
+    Err(refusal(balls, table, ball, limit, &what, "move them apart, or raise the tolerance"))
 }
 
 /// `what` has `{}` for what is overlapped.
@@ -198,22 +198,33 @@ fn refusal(
     table: &Table,
     ball: usize,
     limit: Limit,
-    what: String,
+    what: &str,
     remedy: &str,
 ) -> Error {
-    let (ball, other) = match limit {
+    let position = |ball: usize| format!("balls[{ball}].position");
+    let what = |ball: usize, other: &str| {
+        format!("ball \"{}\" {}", balls[ball].id, what.replacen("{}", other, 1))
+    };
+    match limit {
         // The later one is named first, as where a shot is checked.
-        Limit::Ball(other) => (
-            ball.max(other),
-            format!("balls[{}] (\"{}\")", ball.min(other), balls[ball.min(other)].id),
-        ),
+        Limit::Ball(other) => {
+            let (later, first) = (ball.max(other), ball.min(other));
+            let what = what(later, &format!("balls[{first}] (\"{}\")", balls[first].id));
+            ErrorKind::Overlap
+                .at(position(later), what, remedy)
+                .with("ball", &*balls[later].id)
+                .with("other", &*balls[first].id)
+        }
         Limit::Part(part) => {
             let part = &table.cushions[part];
-            (ball, format!("the {} of the {} cushion", part.part.name(), part.rail.name()))
+            let (name, rail) = (part.part.name(), part.rail.name());
+            let what = what(ball, &format!("the {name} of the {rail} cushion"));
+            ErrorKind::InCushion
+                .at(position(ball), what, remedy)
+                .with("rail", rail)
+                .with("part", name)
         }
-    };
-    let what = format!("ball \"{}\" {}", balls[ball].id, what.replacen("{}", &other, 1));
-    Error::input(format!("balls[{ball}].position"), what, remedy)
+    }
 }
 
 /// The contacts near `places`, with what they need from `start` on.

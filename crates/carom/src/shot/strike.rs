@@ -5,7 +5,7 @@ use core::f64::consts::FRAC_PI_2;
 
 use super::PlacedBall;
 use crate::MotionState;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::math::Vec3;
 use crate::physics::Physics;
 use crate::range::{LARGEST, Range};
@@ -82,18 +82,22 @@ pub(super) fn check(
 ) -> Result<(Vec3, Vec3), Error> {
     let struck = &balls[ball];
     if struck.state.velocity != Vec3::ZERO || struck.state.angular_velocity != Vec3::ZERO {
-        return Err(Error::input(
-            format!("{place}.ball"),
-            format!("ball \"{}\" (balls[{}]) is already moving", struck.id, ball),
-            "strike a ball at rest, or leave the strike out",
-        ));
+        return Err(ErrorKind::Moving
+            .at(
+                format!("{place}.ball"),
+                format!("ball \"{}\" (balls[{}]) is already moving", struck.id, ball),
+                "strike a ball at rest, or leave the strike out",
+            )
+            .with("ball", &*struck.id));
     }
     if struck.state.motion == MotionState::Airborne {
-        return Err(Error::input(
-            format!("{place}.ball"),
-            format!("ball \"{}\" (balls[{}]) does not lie on the cloth", struck.id, ball),
-            "strike a ball that does, or leave the strike out",
-        ));
+        return Err(ErrorKind::NotOnCloth
+            .at(
+                format!("{place}.ball"),
+                format!("ball \"{}\" (balls[{}]) does not lie on the cloth", struck.id, ball),
+                "strike a ball that does, or leave the strike out",
+            )
+            .with("ball", &*struck.id));
     }
     cue_ball::resolve(&physics.cue, &struck.ball, strike).map_err(|e| explain(place, strike, e))
 }
@@ -102,5 +106,5 @@ pub(super) fn check(
 pub(crate) fn explain(place: &str, strike: &Strike, e: StrikeError) -> Error {
     // The error names the larger of the two offsets.
     let key = if strike.side.abs() >= strike.height.abs() { "side" } else { "height" };
-    Error::input(format!("{place}.{key}"), e.fault(), e.remedy())
+    e.kind().at(format!("{place}.{key}"), e.fault(), e.remedy())
 }

@@ -18,7 +18,7 @@ pub use polyline::Waypoint;
 pub use record::TraceRecorder;
 
 use crate::BallState;
-use crate::error::Error;
+use crate::error::{Error, ErrorKind};
 use crate::motion::Path;
 use crate::outcome::Outcome;
 use crate::shot::Shot;
@@ -159,7 +159,7 @@ impl Trace {
     /// [`Error::Input`] if `time` is negative or not finite.
     pub fn at(&self, time: f64) -> Result<Vec<BallState>, Error> {
         if !(time >= 0.0 && time.is_finite()) {
-            return Err(Error::input(
+            return Err(ErrorKind::OutOfRange.at(
                 "time",
                 format!("{time:?} s is out of range"),
                 "give a finite time ≥ 0",

@@ -4,6 +4,7 @@
  * The engine names keys of the file, in English. They stay after the sentence, for those who write files by hand.
  */
 
+import type { Refusal } from "../../engine/index.ts";
 import { capital, named, t } from "../words/translate.ts";
 import { nameOf } from "./parameter-names.ts";
 import { ballName } from "./shot-words.ts";
@@ -26,62 +27,44 @@ function withoutParts(place: string): string {
   }
 }
 
-/** Faults by the engine's words for them, from the rarest to the most general. */
-const FAULTS: readonly (readonly [
-  pattern: RegExp,
-  text: (where: string, found: RegExpExecArray) => string,
-])[] = [
-  [/not JSON/, (where, { input }) => notJson(input) ?? t("fault.other", { where })],
-  [/^"(.*)" is already the id of/s, (_, [, id]) => t("fault.same-id", { id: id! })],
-  [/^found (\d+) balls/, (_, [, count]) => t("fault.balls", { count: Number(count) })],
-  [
-    /^(?:no ball has the id|there is no ball) "?([^"]*)"?/,
-    (where, [, id]) => t("fault.no-ball", { where, id: id! }),
-  ],
-  [
-    /^there is no [^"]*"([^"]*)"/,
-    (where, [, word]) => t("fault.unknown-word", { where, word: word! }),
-  ],
-  [/^not a play, a choice/, () => t("fault.no-move")],
-  [/^ball .* is already moving/s, (where) => t("fault.moves", { where })],
-  [/^ball .* does not lie on the cloth/s, (where) => t("fault.not-on-cloth", { where })],
-  [/^the ball is .* deep in the slate/s, (where) => t("fault.in-slate", { where })],
-  [/^a ball of radius/, (where) => t("fault.radius", { where })],
-  [/hash to/, () => t("fault.changed")],
-  [/^the shot has no strike/, () => t("fault.no-strike")],
-  [/^the key is missing|^found (?:null|nothing)/, (where) => t("fault.missing", { where })],
-  [/^unknown key/, (where) => t("fault.unknown-key", { where })],
-  [
-    /occurs twice|is listed twice|gives the same angle|describe the same property/,
-    (where) => t("fault.twice", { where }),
-  ],
-  [
-    /out of range|not a whole number|not a number|too large|is no coefficient|not above the end/,
-    (where) => t("fault.number", { where }),
-  ],
-  [/^found /, (where) => t("fault.kind", { where })],
-];
+/** The text for a fault at `where`. */
+type Text = (where: string, details: Refusal["details"]) => string;
 
-/** The line in which a text is not JSON, as a sentence; null if the message has none. */
-function notJson(message: string): string | null {
-  const at = message.lastIndexOf("line ");
-  const line = at < 0 ? NaN : parseInt(message.slice(at + "line ".length), 10);
-  return Number.isNaN(line) ? null : t("fault.not-json", { line });
-}
+/** The texts for faults of files, by their kind. */
+const FAULTS: Partial<Record<Refusal["kind"], Text>> = {
+  syntax: (where, { line }) =>
+    line === undefined ? t("fault.other", { where }) : t("fault.not-json", { line: Number(line) }),
+  "duplicate-id": (_, { id }) => t("fault.same-id", { id: String(id) }),
+  "ball-count": (_, { count }) => t("fault.balls", { count: Number(count) }),
+  "unknown-ball": (where, { ball }) =>
+    ball === undefined
+      ? t("fault.other", { where })
+      : t("fault.no-ball", { where, id: String(ball) }),
+  "unknown-name": (where, { name }) =>
+    name === undefined
+      ? t("fault.other", { where })
+      : t("fault.unknown-word", { where, word: String(name) }),
+  "not-a-move": () => t("fault.no-move"),
+  moving: (where) => t("fault.moves", { where }),
+  "not-on-cloth": (where) => t("fault.not-on-cloth", { where }),
+  "in-slate": (where) => t("fault.in-slate", { where }),
+  "wrong-radius": (where) => t("fault.radius", { where }),
+  changed: () => t("fault.changed"),
+  "no-strike": () => t("fault.no-strike"),
+  missing: (where) => t("fault.missing", { where }),
+  "unknown-key": (where) => t("fault.unknown-key", { where }),
+  duplicate: (where) => t("fault.twice", { where }),
+  "out-of-range": (where) => t("fault.number", { where }),
+  "wrong-type": (where) => t("fault.kind", { where }),
+  "wrong-count": (where) => t("fault.kind", { where }),
+};
 
 /** The fault without the engine's words. */
-export function faultText(message: string, place: string, balls: Balls): string {
-  const what = message.startsWith(`${place}: `) ? message.slice(place.length + 2) : message;
+export function faultText({ kind, place, details }: Refusal, balls: Balls): string {
   // The place of an unknown key is the key itself.
-  const at = what.startsWith("unknown key")
-    ? place.slice(0, Math.max(0, place.lastIndexOf(".")))
-    : place;
+  const at = kind === "unknown-key" ? place.slice(0, Math.max(0, place.lastIndexOf("."))) : place;
   const where = whereText(at, balls);
-  for (const [pattern, text] of FAULTS) {
-    const found = pattern.exec(what);
-    if (found) return text(where, found);
-  }
-  return t("fault.other", { where });
+  return FAULTS[kind]?.(where, details) ?? t("fault.other", { where });
 }
 
 /** The most of the engine's words that follow a sentence, characters: the rest lists the keys of a part. */

@@ -1,6 +1,12 @@
 /** Games of the page as records of frames, `carom-frame/1`, and back. */
 
-import { CaromError, type Engine, type Frame, type FrameRecord } from "../../engine/index.ts";
+import {
+  CaromError,
+  type Engine,
+  type Frame,
+  type FrameRecord,
+  moved,
+} from "../../engine/index.ts";
 import { replaySteps } from "../../engine/frame-record.ts";
 import { errorText, PageError } from "../common/refusals.ts";
 import type { Slices } from "../common/slices.ts";
@@ -72,10 +78,8 @@ function* frameOf(engine: Engine, record: FrameRecord): Slices<Frame> {
     if (!(error instanceof CaromError)) throw error;
     const [whole, index] = /^moves\[(\d+)\](?:\.|$)/.exec(error.place) ?? [];
     if (whole === undefined) throw error;
-    // The engine's message begins with the place, which is a number of the file.
-    const inner = error.place.slice(whole.length);
-    const message = error.message.slice(inner === "" ? `${whole}: `.length : whole.length);
-    const why = errorText(new CaromError(message, inner === "" ? whole : inner, error.shot));
+    const place = error.place.slice(whole.length);
+    const why = errorText(moved(error, place));
     throw new PageError(t("link.move", { number: Number(index) + 1, why }), error.place);
   }
 }

@@ -1,6 +1,6 @@
 /** The contents of a link: the document, the view, and the time of a replay. */
 
-import type { Noise, ShotFile } from "../../engine/index.ts";
+import { CaromError, type Noise, type ShotFile } from "../../engine/index.ts";
 import { CLING, withNewKeys } from "../../engine/noise.ts";
 import { FIRST_VIEW, type View } from "../document/document.ts";
 import { type Game, GUIDES, LONGEST_NAME } from "../document/stored-game.ts";
@@ -107,9 +107,13 @@ export function stateFromFragment(fragment: string): LinkState | null {
 
 /** A part of a link that cannot be read. */
 function broken(place: string, found: unknown, remedy: string): LinkError {
-  const value = found === undefined ? "nothing" : JSON.stringify(found);
+  const [kind, value] =
+    found === undefined
+      ? (["missing", "nothing"] as const)
+      : (["wrong-type", JSON.stringify(found)] as const);
   const message = `${place}: found ${value}; ${remedy}`;
-  return new LinkError(t("link.refused", { why: refusalText({ message, place }) }));
+  const why = refusalText(new CaromError({ kind, place, fault: value, remedy, message }));
+  return new LinkError(t("link.refused", { why }));
 }
 
 function noiseOf(data: unknown): Noise | null {

@@ -95,12 +95,12 @@ function notesOf(tally: Tally, { shot }: Store): string[] {
       ? [sentence(t("chance.off", { ball: ballName(id), chance: chanceInWords(off) }))]
       : [];
   });
-  if (tally.failed > 0) {
+  if (tally.reason) {
     notes.push(
       t("chance.failed", {
         failed: tally.failed,
         count: tally.count,
-        why: refusalText({ message: tally.reason ?? "", place: "" }),
+        why: refusalText(tally.reason),
       }),
     );
   }

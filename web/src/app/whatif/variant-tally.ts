@@ -1,5 +1,6 @@
 /** Counts of the variants received so far. */
 
+import type { Refusal } from "../../engine/index.ts";
 import { OFF_TABLE } from "../../engine/types.ts";
 import type { Chunk } from "./variants-protocol.ts";
 import { type Chance, chance } from "./chance-statistics.ts";
@@ -16,8 +17,8 @@ export class Tally {
   failed = 0;
   /** Final x and y, m, of the struck ball in the variants that could be played. */
   readonly ends: Float64Array;
-  /** The engine's message for the first failed variant. */
-  reason: string | null = null;
+  /** The engine's refusal of the first failed variant. */
+  reason: Refusal | null = null;
   readonly #pocketed: Uint32Array;
   readonly #off: Uint32Array;
   #played = 0;
@@ -33,8 +34,8 @@ export class Tally {
   /** Counts a chunk. */
   add(chunk: Chunk): void {
     this.count += chunk.count;
-    this.failed += chunk.errors.size;
-    for (const reason of chunk.errors.values()) this.reason ??= reason;
+    this.failed += chunk.refusals.size;
+    for (const reason of chunk.refusals.values()) this.reason ??= reason;
     for (let i = 0; i < chunk.pockets.length; i++) {
       const pocket = chunk.pockets[i]!;
       if (pocket >= 0) this.#pocketed[i % this.balls]!++;

@@ -78,7 +78,7 @@ export class Variants {
     if (message.generation !== this.#generation || !now) return;
     if (message.kind === "refused") {
       this.#progress = null;
-      this.#listener.refused(refusalText({ message: message.message, place: "" }));
+      this.#listener.refused(refusalText(message.refusal));
       return;
     }
     if (message.kind === "paths") now.paths = message.paths;

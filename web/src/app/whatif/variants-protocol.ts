@@ -1,6 +1,6 @@
 /** The messages between the page and the worker. */
 
-import type { Noise } from "../../engine/index.ts";
+import type { Noise, Refusal } from "../../engine/index.ts";
 
 /** A request for variants of one shot. */
 export interface VariantsRequest {
@@ -32,11 +32,11 @@ export interface Chunk {
   /** count × balls: the pocket's index or a code, as in `Batch.pocket`. */
   pockets: Int8Array;
   /** Errors of failed variants, by their index in the chunk. */
-  errors: ReadonlyMap<number, string>;
+  refusals: ReadonlyMap<number, Refusal>;
 }
 
 export type FromWorker =
   | ({ kind: "chunk" } & Chunk)
   /** Paths of the struck ball: x, y, z (m) per point. */
   | { kind: "paths"; generation: number; paths: Float32Array[] }
-  | { kind: "refused"; generation: number; message: string };
+  | { kind: "refused"; generation: number; refusal: Refusal };

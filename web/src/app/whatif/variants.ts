@@ -1,6 +1,6 @@
 /** Simulates variants in chunks. The worker runs this; tests call it directly. */
 
-import { CaromError } from "../../engine/error.ts";
+import { CaromError, refusalOf } from "../../engine/error.ts";
 import type { Engine, Shot } from "../../engine/index.ts";
 import type { Chunk, FromWorker, VariantsRequest } from "./variants-protocol.ts";
 
@@ -55,7 +55,7 @@ export async function simulate(
     }
   } catch (error) {
     if (!(error instanceof CaromError)) throw error;
-    send({ kind: "refused", generation, message: error.message }, []);
+    send({ kind: "refused", generation, refusal: refusalOf(error) }, []);
   }
 }
 
@@ -72,8 +72,8 @@ function vary(
     const at = 3 * (k * batch.balls + struck);
     ends.set(batch.final_position.subarray(at, at + 2), 2 * k);
   }
-  const { pocket: pockets, errors } = batch;
-  return { generation, first, count, ends, pockets, errors };
+  const { pocket: pockets, refusals } = batch;
+  return { generation, first, count, ends, pockets, refusals };
 }
 
 /** Paths of the struck ball in the first variants; failed variants have none. */

@@ -72,7 +72,7 @@ test("a record names the engine that made it, and an error of another one's says
     }
     throw new Error("it was replayed");
   };
-  expect(refused(old)).toMatch(/^moves\[0\]: .*made by carom 0\.0\.1, and this is carom /);
+  expect(refused(old)).toMatch(/^moves\[0\]\.choice: .*made by carom 0\.0\.1, and this is carom /);
   expect(refused({ ...old, engine: engine.version })).not.toMatch(/made by/);
 });
 
@@ -186,7 +186,8 @@ test("a record that cannot be replayed is refused, with the index of the move", 
   expect(refusal({ ...record, setup: { ...record.setup, game: "croquet" } }).place).toBe("game");
   const play = { play: { strike: STRIKE } };
   const second = (move: unknown) => refusal({ ...record, moves: [play, move] });
-  for (const move of [{ choice: "rebreak" }, { concede: false }, {}, null]) {
+  expect(second({ choice: "rebreak" }).place).toBe("moves[1].choice");
+  for (const move of [{ concede: false }, {}, null]) {
     expect(second(move).place).toBe("moves[1]");
     expect(second(move).message).toMatch(/^moves\[1\]: .+; .+/);
   }

@@ -49,11 +49,11 @@ describe("a refusal names the place and the remedy", () => {
     const error = refusal(() => engine.shot(file).simulate());
     expect(error.message).toMatch(/^max_events: the shot was stopped at its cap of 10 events/);
     expect(JSON.parse(error.shot!)).toEqual(file);
-    expect(error.place).toBe("");
+    expect([error.kind, error.place]).toEqual(["too-many-events", "max_events"]);
     const trace = engine.traceToCap(error);
     expect([trace.events.length, trace.end, trace.outcome.events]).toEqual([10, "cap", 10]);
     expect(engine.trace(trace.json()).hash).toBe(trace.hash);
-    expect(refusal(() => engine.traceToCap(new CaromError("no"))).message).toMatch(/simulate/);
+    expect(refusal(() => engine.traceToCap(new CaromError({ kind: "other", fault: "no" }))).message).toMatch(/simulate/);
   });
 
   // Seen: "raise the cap, or report", and nothing of what was computed, for motion without an end.

@@ -111,7 +111,7 @@ describe("a thinker", () => {
     expect(unknown.place).toBe("player");
     expect(unknown.message).toMatch(/there is no player "unknown"; write one of carom, /);
     const wrong = { ...RECORD, moves: [{ choice: "rebreak" as const }] };
-    expect((await refusal(asked.choose(wrong))).place).toBe("moves[0]");
+    expect((await refusal(asked.choose(wrong))).place).toBe("moves[0].choice");
     expect((await refusal(asked.explain(RECORD, { count: 0 }))).place).toBe("count");
     expect((await asked.choose(RECORD)).play).not.toBeNull();
   });

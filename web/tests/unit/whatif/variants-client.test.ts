@@ -1,5 +1,5 @@
 import { beforeEach, describe, expect, test } from "vitest";
-import type { Shot } from "../../../src/engine/index.ts";
+import { CaromError, refusalOf, type Shot } from "../../../src/engine/index.ts";
 import { type VariantsProgress, Variants } from "../../../src/app/whatif/variants-client.ts";
 import type { FromWorker, ToWorker } from "../../../src/app/whatif/variants-protocol.ts";
 
@@ -34,7 +34,7 @@ const chunk = (generation: number, first: number, count: number): FromWorker => 
   count,
   ends: new Float64Array(2 * count),
   pockets: new Int8Array(count),
-  errors: new Map(),
+  refusals: new Map(),
 });
 
 describe("requesting variants from a worker", () => {
@@ -82,7 +82,11 @@ describe("requesting variants from a worker", () => {
     const stale = worker.generation;
     variants.ask(shot, { ...noise, speed: 0.2 }, 7, 4, 2);
     worker.say(chunk(stale, 0, 4));
-    worker.say({ kind: "refused", generation: stale, message: "no" });
+    worker.say({
+      kind: "refused",
+      generation: stale,
+      refusal: refusalOf(new CaromError({ kind: "miscue", fault: "no" })),
+    });
     expect(results).toStrictEqual([]);
     expect(refused).toStrictEqual([]);
     worker.say(chunk(worker.generation, 0, 1));
@@ -104,7 +108,11 @@ describe("requesting variants from a worker", () => {
   });
 
   test("passes on the engine's refusal", () => {
-    worker.say({ kind: "refused", generation: worker.generation, message: "a miscue: so far" });
+    worker.say({
+      kind: "refused",
+      generation: worker.generation,
+      refusal: refusalOf(new CaromError({ kind: "miscue", fault: "so far" })),
+    });
     expect(refused).toStrictEqual([
       "So far from the centre the tip slips off, which is a miscue: move it into the dashed circle.",
     ]);

@@ -103,6 +103,6 @@ describe("the variants of a request", () => {
   test("are refused with the engine's message if the noise is invalid", async () => {
     const [answer] = await answers({ noise: { ...engine.olympiad(), speed: -1 } });
     expect(answer).toMatchObject({ kind: "refused", generation: 1 });
-    expect(answer).toHaveProperty("message", expect.stringContaining("noise.speed"));
+    expect(answer).toHaveProperty("refusal.message", expect.stringContaining("noise.speed"));
   });
 });

@@ -64,7 +64,7 @@ export class Desk {
     else {
       this.#answer = null;
       if (message.kind === "done") answer.done?.();
-      else answer.refused?.(refusalText(message));
+      else answer.refused?.(refusalText(message.refusal));
     }
   }
 }

@@ -9,6 +9,7 @@ import type {
   Point,
   ShotFile,
   Strike,
+  Refusal,
 } from "../../../engine/index.ts";
 import type { FoundPot, PotQuestion } from "../../document/store.ts";
 
@@ -117,9 +118,4 @@ export type ToDesk =
 export type FromDesk =
   | { readonly kind: "part"; readonly id: number; readonly part: Parts[keyof Parts] }
   | { readonly kind: "done"; readonly id: number }
-  | {
-      readonly kind: "failed";
-      readonly id: number;
-      readonly message: string;
-      readonly place: string;
-    };
+  | { readonly kind: "failed"; readonly id: number; readonly refusal: Refusal };

@@ -1,7 +1,7 @@
 /** The worker's side of a desk: one question at a time, in steps between which a new one may come. */
 
 import { load } from "../../../engine/core.ts"; // without embedded WebAssembly: the page sends it
-import { CaromError } from "../../../engine/error.ts";
+import { refusalOf } from "../../../engine/error.ts";
 import type { Engine } from "../../../engine/index.ts";
 import { nextTask } from "../../../engine/next-task.ts";
 import { chance } from "./chance.ts";
@@ -44,9 +44,7 @@ export function serveDesk(port: DeskPort): void {
       }
       port.postMessage({ kind: "done", id });
     } catch (error) {
-      const { message } = error as Error;
-      const place = error instanceof CaromError ? error.place : "";
-      port.postMessage({ kind: "failed", id, message, place });
+      port.postMessage({ kind: "failed", id, refusal: refusalOf(error as Error) });
     }
   }
 }

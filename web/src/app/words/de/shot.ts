@@ -95,7 +95,7 @@ export const texts: Translation<typeof en.shot> = {
   "error.wrong-nomination": "diese Kugel ist nicht anspielbar: Sagen Sie eine der anspielbaren an",
   "error.hand.behind-head-string": "legen Sie den Spielball hinter die Kopflinie",
   "error.hand.the-d": "legen Sie den Spielball ins D",
-  "error.hand.on-table": "legen Sie den Spielball auf den Tisch",
+  "error.hand.anywhere": "legen Sie den Spielball auf den Tisch",
   "error.hand.touches":
     "der Spielball würde eine Kugel berühren: Legen Sie ihn dorthin, wo Platz ist",
   "error.not-a-choice": "diese Antwort steht nicht zur Wahl: Wählen Sie eine unter dem Tisch",

@@ -91,7 +91,7 @@ export const texts = {
   "error.wrong-nomination": "that ball cannot be nominated: nominate one of the balls on",
   "error.hand.behind-head-string": "put the cue ball behind the head string",
   "error.hand.the-d": "put the cue ball in the D",
-  "error.hand.on-table": "put the cue ball on the table",
+  "error.hand.anywhere": "put the cue ball on the table",
   "error.hand.touches": "the cue ball would touch another ball: put it where there is room",
   "error.not-a-choice": "that answer is not among the choices: choose one below the table",
   "error.frame-over": "the frame is over: start another one",

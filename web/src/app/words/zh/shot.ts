@@ -85,7 +85,7 @@ export const texts: Translation<typeof en.shot> = {
   "error.wrong-nomination": "不能指定这颗球：请指定一颗目标球",
   "error.hand.behind-head-string": "请把母球放在开球线后",
   "error.hand.the-d": "请把母球放在 D 区内",
-  "error.hand.on-table": "请把母球放在台面上",
+  "error.hand.anywhere": "请把母球放在台面上",
   "error.hand.touches": "母球会碰到别的球：请放在有空位的地方",
   "error.not-a-choice": "不能这样选择：请在球台下方选择",
   "error.frame-over": "本局已结束：请开始新的一局",
