@@ -44,7 +44,10 @@ def whole(name: str, value: Any, end: int = WORD, *, low: int = 0) -> int:
         found = None
     if found is None or not low <= found < end:
         raise InputError(
-            f"{name}: {value!r} is out of range; give a whole number from {low} to {end - 1}"
+            "out-of-range",
+            name,
+            f"{value!r} is out of range",
+            f"give a whole number from {low} to {end - 1}",
         )
     return found
 
@@ -56,14 +59,16 @@ def number(name: str, value: Any) -> float:
             return float(value)
     except (TypeError, ValueError, OverflowError):
         pass
-    raise InputError(f"{name}: {_shown(value)} is not a number; write one")
+    raise InputError("wrong-type", name, f"{_shown(value)} is not a number", "write one")
 
 
 def numbers(name: str, value: Any, count: int) -> tuple[float, ...]:
     """A sequence of ``count`` numbers, such as coordinates."""
     items = list(value) if isinstance(value, Iterable) and not isinstance(value, str) else []
     if len(items) != count:
-        raise InputError(f"{name}: {_shown(value)} is not {count} numbers; write them as a list")
+        raise InputError(
+            "wrong-count", name, f"{_shown(value)} is not {count} numbers", "write them as a list"
+        )
     return tuple(number(name, item) for item in items)
 
 
@@ -76,7 +81,7 @@ def array(name: str, value: ArrayLike) -> NDArray[np.float64]:
             return found.astype(np.float64, copy=False)
     except (TypeError, ValueError, OverflowError):
         pass
-    raise InputError(f"{name}: not a number or an array of numbers; give one")
+    raise InputError("wrong-type", name, "not a number or an array of numbers", "give one")
 
 
 def flat(name: str, values: ArrayLike) -> NDArray[np.float64]:
@@ -84,10 +89,18 @@ def flat(name: str, values: ArrayLike) -> NDArray[np.float64]:
     found = np.atleast_1d(array(name, values))
     if found.ndim != 1 or not found.size or not np.isfinite(found).all():
         raise InputError(
-            f"{name}: not finite numbers in one dimension; give a number or a flat array"
+            "out-of-range",
+            name,
+            "not finite numbers in one dimension",
+            "give a number or a flat array",
         )
     if found.size > _MOST_NUMBERS:
-        raise InputError(f"{name}: {found.size} numbers are too many; give at most {_MOST_NUMBERS}")
+        raise InputError(
+            "out-of-range",
+            name,
+            f"{found.size} numbers are too many",
+            f"give at most {_MOST_NUMBERS}",
+        )
     return found
 
 
@@ -119,7 +132,10 @@ def angles(name: str, radians: ArrayLike | None, degrees: ArrayLike | None) -> A
 def _check_one_angle(name: str, radians: Any, degrees: Any) -> None:
     if radians is not None and degrees is not None:
         raise InputError(
-            f"{name}: {name}_deg gives the same angle; keep {name} (rad) or {name}_deg (degrees)"
+            "duplicate",
+            name,
+            f"{name}_deg gives the same angle",
+            f"keep {name} (rad) or {name}_deg (degrees)",
         )
 
 
@@ -158,12 +174,12 @@ def text(name: str, value: Any, such_as: str = "") -> str:
     """A string in valid Unicode; ``such_as`` is an example for the error message."""
     remedy = f"write a text{such_as and f', such as {such_as}'}"
     if not isinstance(value, str):
-        raise InputError(f"{name}: {_shown(value)} is not a text; {remedy}")
+        raise InputError("wrong-type", name, f"{_shown(value)} is not a text", remedy)
     try:
         value.encode()
     except UnicodeEncodeError:
         raise InputError(
-            f"{name}: the text is not valid Unicode; write one without surrogates"
+            "syntax", name, "the text is not valid Unicode", "write one without surrogates"
         ) from None
     return value
 
@@ -171,7 +187,9 @@ def text(name: str, value: Any, such_as: str = "") -> str:
 def truth(name: str, value: Any) -> bool:
     """True or False, Python's or NumPy's."""
     if type(value).__name__ not in ("bool", "bool_"):
-        raise InputError(f"{name}: {_shown(value)} is neither True nor False; give one of them")
+        raise InputError(
+            "wrong-type", name, f"{_shown(value)} is neither True nor False", "give one of them"
+        )
     return bool(value)
 
 
@@ -180,7 +198,10 @@ def instance(name: str, value: Any, kind: type[T], such_as: str) -> T:
     if not isinstance(value, kind):
         found = type(value).__name__
         raise InputError(
-            f"{name}: found a {found}; give carom.{kind.__name__}, for example {such_as}"
+            "wrong-type",
+            name,
+            f"found a {found}",
+            f"give carom.{kind.__name__}, for example {such_as}",
         )
     return value
 
@@ -190,8 +211,10 @@ def core(name: str, value: Any, kind: type[T], such_as: str) -> T:
     found = getattr(value, "_core", None)
     if not isinstance(found, kind):
         raise InputError(
-            f"{name}: found a {type(value).__name__}; give carom.{kind.__name__}, for example "
-            f"{such_as}"
+            "wrong-type",
+            name,
+            f"found a {type(value).__name__}",
+            f"give carom.{kind.__name__}, for example {such_as}",
         )
     return found
 
@@ -201,8 +224,10 @@ def check_results(name: str, shots: int, balls: int) -> None:
     most = _MOST_RESULTS // max(balls, 1)
     if shots > most:
         raise InputError(
-            f"{name}: {shots} shots of {balls} balls are too many for one call; "
-            f"give at most {most}, in several calls"
+            "out-of-range",
+            name,
+            f"{shots} shots of {balls} balls are too many for one call",
+            f"give at most {most}, in several calls",
         )
 
 
@@ -214,7 +239,7 @@ def thread_count(threads: int | None) -> int:
         return min(whole("threads", threads, low=1), _MOST_THREADS)
     except InputError:
         remedy = "give a whole number ≥ 1 or None"
-        raise InputError(f"threads: {threads!r} is not a count; {remedy}") from None
+        raise InputError("wrong-type", "threads", f"{threads!r} is not a count", remedy) from None
 
 
 def cores(threads: int | None) -> int:

@@ -78,7 +78,9 @@ def simulate_batch(
     """
     # An empty string or dict would otherwise pass as an empty list.
     if isinstance(shots, str | bytes | bytearray | Mapping) or not isinstance(shots, Iterable):
-        raise InputError(f"shots: found a {type(shots).__name__}; give a list of carom.Shot")
+        raise InputError(
+            "wrong-type", "shots", f"found a {type(shots).__name__}", "give a list of carom.Shot"
+        )
     cores = [
         core(f"shots[{index}]", shot, _core.Shot, "carom.Shot.from_dict(...)")
         for index, shot in enumerate(shots)
@@ -143,7 +145,9 @@ def batch(
         shapes = ", ".join(
             f"{name} {column.shape}" for name, column in zip(VARIABLES, columns, strict=True)
         )
-        raise InputError(f"shapes do not broadcast: {shapes}; make them agree") from None
+        raise InputError(
+            "wrong-count", "", f"shapes do not broadcast: {shapes}", "make them agree"
+        ) from None
     # Python's integers: a product of NumPy's could overflow.
     check_results("shapes", math.prod(shape), len(inner))
     full = [np.broadcast_to(column, shape) for column in columns]
@@ -164,7 +168,7 @@ def own_strike(shot: _core.Shot) -> tuple[float, float, float, float, float]:
         InputError: The shot has none.
     """
     if shot.strike is None:
-        raise InputError("strike: the shot has no strike to vary; give it one")
+        raise InputError("no-strike", "strike", "the shot has no strike to vary", "give it one")
     return shot.strike
 
 

@@ -108,7 +108,10 @@ class Layout:
     def __post_init__(self) -> None:
         if isinstance(self.balls, Mapping):
             raise InputError(
-                "balls: found positions by id; write carom.Layout.at({...}), or a list of balls"
+                "wrong-type",
+                "balls",
+                "found positions by id",
+                "write carom.Layout.at({...}), or a list of balls",
             )
         _core.check_part("balls", self.balls)
 
@@ -275,15 +278,20 @@ class Strike:
         direction = angle("strike.azimuth", azimuth, azimuth_deg)
         if direction is None:
             raise InputError(
-                "strike.azimuth: is missing; give azimuth (rad) or azimuth_deg (degrees)"
+                "missing",
+                "strike.azimuth",
+                "is missing",
+                "give azimuth (rad) or azimuth_deg (degrees)",
             )
         if azimuth_deg is None:
             warn_of_degrees("strike.azimuth", direction)
         raised = angle("strike.elevation", elevation, elevation_deg)
         if raised is not None and not 0.0 <= raised < math.pi / 2:
             raise InputError(
-                f"strike.elevation: {raised:g} rad is out of range; write elevation_deg from 0 up "
-                "to 90 (degrees), or elevation in radians"
+                "out-of-range",
+                "strike.elevation",
+                f"{raised:g} rad is out of range",
+                "write elevation_deg from 0 up to 90 (degrees), or elevation in radians",
             )
         self._set(speed, direction, raised, side, height, ball, obstruction, miscue)
 
@@ -309,7 +317,9 @@ class Strike:
             _core.wrong_type(strike, "strike", '{"speed": 2.0, "azimuth_deg": 90}')
         _core.check_keys(strike, "strike", _KEYS)
         if "speed" not in strike:
-            raise InputError("strike.speed: is missing; write the cue's speed in m/s")
+            raise InputError(
+                "missing", "strike.speed", "is missing", "write the cue's speed in m/s"
+            )
         return cls(**strike)
 
     @classmethod
@@ -319,7 +329,9 @@ class Strike:
         _core.check_keys(strike, "play.strike", list(fields))
         for name in ("speed", "azimuth"):
             if name not in strike:
-                raise InputError(f"play.strike.{name}: is missing; give the value of Frame.record")
+                raise InputError(
+                    "missing", f"play.strike.{name}", "is missing", "give the value of Frame.record"
+                )
         return cls._of(*(strike.get(name, getattr(cls, name, None)) for name in fields))
 
     @property

@@ -48,7 +48,9 @@ class Call:
             if name in _PARTS[self.kind]:
                 text(f"call.{name}", value, such_as)
             elif value is not None:
-                raise InputError(f'call.{name}: a call of "{self.kind}" has none; leave it out')
+                raise InputError(
+                    "conflict", f"call.{name}", f'a call of "{self.kind}" has none', "leave it out"
+                )
 
     def to_dict(self) -> dict[str, str]:
         """Plain values, for JSON, without those that this kind does not have."""
@@ -104,7 +106,9 @@ def read_call(call: Call | Mapping[str, Any] | None) -> Call | None:
     if isinstance(call, Mapping):
         _core.check_keys(call, "call", ["kind", "ball", "into"])
         if "kind" not in call:
-            raise InputError('call.kind: is missing; write one of request.calls, such as "pocket"')
+            raise InputError(
+                "missing", "call.kind", "is missing", 'write one of request.calls, such as "pocket"'
+            )
         call = Call(**call)
     if call is None or instance("call", call, Call, _EXAMPLE).kind == "nothing":
         return None

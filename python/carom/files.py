@@ -32,9 +32,11 @@ def checked_path(name: str, value: Any, such_as: str) -> Path:
     place = os.fspath(value) if isinstance(value, str | os.PathLike) else None
     if not isinstance(place, str):
         found = type(value).__name__
-        raise InputError(f'{name}: found a {found}; give a path, such as "{such_as}"')
+        raise InputError(
+            "wrong-type", name, f"found a {found}", f'give a path, such as "{such_as}"'
+        )
     if "\0" in place:
-        raise InputError(f"{name}: the path has a NUL character; remove it")
+        raise InputError("syntax", name, "the path has a NUL character", "remove it")
     return Path(place)
 
 
@@ -67,7 +69,9 @@ def text_of(data: bytes, name: str) -> str:
     try:
         return data.decode("utf-8").replace("\r\n", "\n").replace("\r", "\n")
     except UnicodeDecodeError as error:
-        raise InputError(f"{name}: not UTF-8 text ({error.reason}); encode it as UTF-8") from None
+        raise InputError(
+            "syntax", name, f"not UTF-8 text ({error.reason})", "encode it as UTF-8"
+        ) from None
 
 
 def refuse_other_encoding(data: bytes, name: str) -> None:
@@ -78,8 +82,10 @@ def refuse_other_encoding(data: bytes, name: str) -> None:
     """
     if (found := _other_encoding(data)) is not None:
         raise InputError(
-            f"{name}: it is {found} text, not UTF-8; save it as UTF-8, in PowerShell with "
-            "Out-File -Encoding utf8 instead of >"
+            "syntax",
+            name,
+            f"it is {found} text, not UTF-8",
+            "save it as UTF-8, in PowerShell with Out-File -Encoding utf8 instead of >",
         )
 
 

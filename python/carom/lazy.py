@@ -21,10 +21,10 @@ class LazyModule:
 
     Args:
         name: The module's full name.
-        missing: The error message if the module is not installed; None raises ImportError.
+        missing: The fault and the remedy if the module is not installed; None raises ImportError.
     """
 
-    def __init__(self, name: str, missing: str | None = None) -> None:
+    def __init__(self, name: str, missing: tuple[str, str] | None = None) -> None:
         self._name = name
         self._missing = missing
 
@@ -37,13 +37,13 @@ class LazyModule:
         except ImportError:
             if self._missing is None:
                 raise
-            raise InputError(self._missing) from None
+            raise InputError("unsupported", "", *self._missing) from None
         value = getattr(module, attribute)
         # Kept as an attribute of its own, so that the next read does not call this method.
         setattr(self, attribute, value)
         return value
 
-    def __reduce__(self) -> tuple[type[LazyModule], tuple[str, str | None]]:
+    def __reduce__(self) -> tuple[type[LazyModule], tuple[Any, ...]]:
         # Functions sent to Ray's workers take their globals along.
         return (LazyModule, (self._name, self._missing))
 
@@ -53,7 +53,7 @@ if TYPE_CHECKING:
     import pyarrow as pa
     import pyarrow.parquet as pq
 else:
-    _NO_ARROW = "a sweep needs pyarrow; install it: pip install 'carom[sweep]'"
+    _NO_ARROW = ("a sweep needs pyarrow", "install it: pip install 'carom[sweep]'")
     np = LazyModule("numpy")
     pa = LazyModule("pyarrow", _NO_ARROW)
     pq = LazyModule("pyarrow.parquet", _NO_ARROW)

@@ -93,8 +93,9 @@ class Noise:
         if self.covariance is not None:
             rows = _rows("noise.covariance", self.covariance)
             if len(rows) != 5:
-                what = f"found {len(rows)} rows; give five rows of five numbers"
-                raise InputError(f"noise.covariance: {what}")
+                fault = f"found {len(rows)} rows"
+                remedy = "give five rows of five numbers"
+                raise InputError("wrong-count", "noise.covariance", fault, remedy)
             object.__setattr__(self, "covariance", rows)
         if self.samples is not None:
             object.__setattr__(self, "samples", _rows("noise.samples", self.samples))
@@ -124,11 +125,15 @@ class Noise:
         base, colon, factor = text("noise", name, '"club"').partition(":")
         if base not in presets:
             known = ", ".join(presets)
-            raise InputError(f"noise: there is no preset {base!r}; write one of {known}")
+            raise InputError(
+                "unknown-name", "noise", f"there is no preset {base!r}", f"write one of {known}"
+            )
         try:
             multiplier = float(factor) if colon else 1.0
         except ValueError:
-            raise InputError(f"noise: {factor!r} is not a multiplier; write a number") from None
+            raise InputError(
+                "wrong-type", "noise", f"{factor!r} is not a multiplier", "write a number"
+            ) from None
         return cls(*presets[base]).scaled(multiplier)
 
     def scaled(self, multiplier: float) -> Self:
@@ -248,8 +253,10 @@ class Perception:
         object.__setattr__(self, "correlation", correlation)
         given: Any = self.balls
         if not isinstance(given, Mapping):
-            what = f"found {type(given).__name__}; give a dict of errors by ball"
-            raise InputError(f"perception.balls: {what}")
+            fault = f"found {type(given).__name__}"
+            raise InputError(
+                "wrong-type", "perception.balls", fault, "give a dict of errors by ball"
+            )
         balls = {
             text("perception.balls", ball, 'a ball\'s id, such as "cue"'): self._of_ball(
                 ball, error
@@ -264,9 +271,11 @@ class Perception:
         try:
             found = error if isinstance(error, Perception) else Perception(error)
         except InputError as refused:
-            raise InputError(f"perception.balls[{ball!r}]: {refused}") from None
+            raise refused.inside(f"perception.balls[{ball!r}]", ": ") from None
         if found.balls:
-            raise InputError(f"perception.balls[{ball!r}].balls: a ball has no balls; remove it")
+            raise InputError(
+                "conflict", f"perception.balls[{ball!r}].balls", "a ball has no balls", "remove it"
+            )
         return found
 
     @property
@@ -438,8 +447,8 @@ def _rows(place: str, rows: Any) -> tuple[tuple[float, ...], ...]:
     try:
         listed = list(rows)
     except TypeError:
-        what = f"found {type(rows).__name__}; give rows of five numbers"
-        raise InputError(f"{place}: {what}") from None
+        fault = f"found {type(rows).__name__}"
+        raise InputError("wrong-type", place, fault, "give rows of five numbers") from None
     return tuple(numbers(f"{place}[{i}]", row, 5) for i, row in enumerate(listed))
 
 
@@ -454,8 +463,10 @@ def _known(place: str, values: Any, keys: list[str]) -> Mapping[str, Any]:
         InputError: One is not, or the values are not a mapping.
     """
     if not isinstance(values, Mapping):
-        raise InputError(f"{place}: found {type(values).__name__}; give a dict")
+        raise InputError("wrong-type", place, f"found {type(values).__name__}", "give a dict")
     for key in values:
         if key not in keys:
-            raise InputError(f"{place}: there is no key {key!r}; write one of {', '.join(keys)}")
+            raise InputError(
+                "unknown-name", place, f"there is no key {key!r}", f"write one of {', '.join(keys)}"
+            )
     return values

@@ -64,7 +64,9 @@ def html(document: Document | None = None, *, title: str | None = None) -> str:
     """
     if document is not None and not hasattr(document, "to_dict"):
         found = type(document).__name__
-        raise InputError(f"document: found a {found}; give a carom.Shot or a carom.Trace")
+        raise InputError(
+            "wrong-type", "document", f"found a {found}", "give a carom.Shot or a carom.Trace"
+        )
     if title is not None:
         checked_text("title", title)
     try:
@@ -95,7 +97,9 @@ def json_of(document: Document) -> str:
     """
     if not hasattr(document, "to_dict"):
         found = type(document).__name__
-        raise InputError(f"document: found a {found}; give a carom.Shot or a carom.Trace")
+        raise InputError(
+            "wrong-type", "document", f"found a {found}", "give a carom.Shot or a carom.Trace"
+        )
     # In JSON, < occurs only within strings. Escaped, no string can end the script element.
     return json.dumps(document.to_dict(), separators=(",", ":")).replace("<", "\\u003c")
 

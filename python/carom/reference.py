@@ -72,7 +72,10 @@ def schema(kind: Literal["shot", "trace", "play", "sweep"] = "shot") -> dict[str
         text = _core.schema(kind)
     else:
         raise InputError(
-            f'kind: there is no schema "{kind}"; write "shot", "trace", "play" or "sweep"'
+            "unknown-name",
+            "kind",
+            f'there is no schema "{kind}"',
+            'write "shot", "trace", "play" or "sweep"',
         )
     result: dict[str, Any] = json.loads(text)
     return result

@@ -181,14 +181,18 @@ class Frame:
             else:
                 frame = cls(**setup)
         except TypeError as error:
-            raise InputError(f"setup: {error}; give the value of Frame.record") from None
+            raise InputError(
+                "unknown-key", "setup", error, "give the value of Frame.record"
+            ) from None
         for index, move in enumerate(moves):
             if frame._is_applied(move, moves[index - 1] if index else None):
                 continue
             try:
                 frame._make(move)
             except InputError as error:
-                raise InputError(f"moves[{index}]: {error}{_other_engine(record)}") from None
+                moved = error.inside(f"moves[{index}]")
+                moved.remedy += _other_engine(record)
+                raise moved.at(moved.place) from None
         return frame
 
     def _is_applied(self, move: Any, previous: Any) -> bool:
@@ -218,14 +222,19 @@ class Frame:
                     arguments = replace(arguments, cling=cling)
                     self._play(arguments, call, None, 0)
                 except TypeError as error:
-                    raise InputError(f"play: {error}; give the value of Frame.record") from None
+                    raise InputError(
+                        "unknown-key", "play", error, "give the value of Frame.record"
+                    ) from None
             case {"choice": choice}:
                 self.choose(choice)
             case {"concede": True}:
                 self.concede()
             case _:
                 raise InputError(
-                    "not a play, a choice or a concession; give the value of Frame.record"
+                    "not-a-move",
+                    "",
+                    "not a play, a choice or a concession",
+                    "give the value of Frame.record",
                 )
 
     @property
@@ -243,8 +252,10 @@ class Frame:
         """
         if not self._setup:
             raise InputError(
-                "record: this frame is a copy for a player, without its seed and its moves; "
-                "use frame.copy() to try a shot, or keep frame.to_dict()"
+                "wrong-state",
+                "record",
+                "this frame is a copy for a player, without its seed and its moves",
+                "use frame.copy() to try a shot, or keep frame.to_dict()",
             )
         return deepcopy(
             {
@@ -485,13 +496,18 @@ class Frame:
         _core.check_keys(answer, "answer", ["play", "choice", "concede"])
         if len(answer) != 1:
             raise InputError(
-                f"answer: found {len(answer)} keys; write one of play, choice and concede"
+                "not-a-move",
+                "answer",
+                f"found {len(answer)} keys",
+                "write one of play, choice and concede",
             )
         if "choice" in answer:
             return self.choose(answer["choice"])
         if "concede" in answer:
             if answer["concede"] is not True:
-                raise InputError("answer.concede: is not true; write true, or leave it out")
+                raise InputError(
+                    "wrong-type", "answer.concede", "is not true", "write true, or leave it out"
+                )
             return self.concede()
         play = answer["play"]
         if not isinstance(play, Mapping):
@@ -499,7 +515,10 @@ class Frame:
         _core.check_keys(play, "answer.play", ["strike", "cue_ball", "call"])
         if "strike" not in play:
             raise InputError(
-                'answer.play.strike: is missing; write {"speed": 2, "azimuth_deg": 90}'
+                "missing",
+                "answer.play.strike",
+                "is missing",
+                'write {"speed": 2, "azimuth_deg": 90}',
             )
         return self.play(**play, noise=noise, seed=seed)
 
@@ -562,7 +581,12 @@ class Frame:
 def _seeds(seed: int | Sequence[int]) -> int | tuple[int, int]:
     if isinstance(seed, Sequence) and not isinstance(seed, str | bytes):
         if len(seed) != 2:
-            raise InputError(f"seed: found {len(seed)} seeds; give one, or one for each player")
+            raise InputError(
+                "wrong-count",
+                "seed",
+                f"found {len(seed)} seeds",
+                "give one, or one for each player",
+            )
         return whole("seed[0]", seed[0]), whole("seed[1]", seed[1])
     return whole("seed", seed)
 

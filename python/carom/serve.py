@@ -62,8 +62,10 @@ class PageServer(ThreadingHTTPServer):
             super().__init__((HOST, port), _Handler)
         except OSError as error:
             raise InputError(
-                f"--port: {port} cannot be used ({error.strerror}); choose another, or leave the "
-                "option out for a free one"
+                "system",
+                "--port",
+                f"{port} cannot be used ({error.strerror})",
+                "choose another, or leave the option out for a free one",
             ) from None
 
     def process_request(self, request: Any, client_address: Any) -> None:

@@ -24,7 +24,7 @@ def emit(text: str) -> None:
             ``stdout``.
     """
     if sys.stdout is None:
-        raise InputError(f"{STDOUT}: it is closed; send it to a file or to a program")
+        raise InputError("system", STDOUT, "it is closed", "send it to a file or to a program")
     stream = whole(sys.stdout, STDOUT)
     stream.write(text if text.endswith("\n") else text + "\n")
     # Flushed here and not when Python ends, so that a full disk is an error like any other.

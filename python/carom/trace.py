@@ -157,7 +157,9 @@ class Trace:
         """
         times = arguments.array("time", time)
         if times.ndim > 1:
-            raise InputError(f"time: found {times.ndim} axes; give a number or a flat array")
+            raise InputError(
+                "wrong-type", "time", f"found {times.ndim} axes", "give a number or a flat array"
+            )
         position, velocity, spin, orientation, motion = self._core.at(np.atleast_1d(times))
         motions = np.array(motion, dtype=np.str_).reshape(position.shape[:2])
         if times.ndim == 0:
@@ -182,13 +184,17 @@ class Trace:
         if isinstance(ball, str):
             if ball not in ids:
                 known = ", ".join(map(repr, ids))
-                raise InputError(f"ball: there is no ball {ball!r}; write one of {known}")
+                raise InputError(
+                    "unknown-ball", "ball", f"there is no ball {ball!r}", f"write one of {known}"
+                )
             index = ids.index(ball)
         else:
             index = arguments.whole("ball", ball, len(ids))
         width = arguments.number("tolerance", tolerance)
         if not width > 0.0:
-            raise InputError(f"tolerance: {width} m is out of range; write a number above 0")
+            raise InputError(
+                "out-of-range", "tolerance", f"{width} m is out of range", "write a number above 0"
+            )
         return self._core.polyline(index, width)
 
     def difference(self, again: Trace) -> str | None:

@@ -1,5 +1,6 @@
 //! Conversion of plain values: dicts, lists, strings, numbers.
 
+use carom::ErrorKind;
 use carom::format::Node;
 use pyo3::prelude::*;
 use pyo3::types::{
@@ -7,7 +8,7 @@ use pyo3::types::{
     PyMapping, PySet, PyString,
 };
 
-use crate::exceptions::InputError;
+use crate::error::refuse;
 
 /// Deepest nesting that is accepted. No format nests deeper; a list that contains itself would.
 const DEEPEST: usize = 32;
@@ -25,7 +26,12 @@ pub(crate) fn plain<'py>(value: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyAny
 
 fn read(value: &Bound<'_, PyAny>, place: &mut String, depth: usize) -> PyResult<Node> {
     if depth > DEEPEST {
-        return Err(refuse(place, "nested too deeply", "write plain dicts, lists and numbers"));
+        return Err(refuse(
+            ErrorKind::Syntax,
+            place,
+            "nested too deeply",
+            "write plain dicts, lists and numbers",
+        ));
     }
     if value.is_none() {
         return Ok(Node::Null);
@@ -36,7 +42,12 @@ fn read(value: &Bound<'_, PyAny>, place: &mut String, depth: usize) -> PyResult<
     if let Ok(text) = value.cast::<PyString>() {
         return match text.to_str() {
             Ok(text) => Ok(Node::Text(text.into())),
-            Err(_) => Err(refuse(place, "a text that is not Unicode", "write valid Unicode")),
+            Err(_) => Err(refuse(
+                ErrorKind::Syntax,
+                place,
+                "a text that is not Unicode",
+                "write valid Unicode",
+            )),
         };
     }
     if let Ok(x) = value.cast::<PyFloat>() {
@@ -53,7 +64,7 @@ fn read(value: &Bound<'_, PyAny>, place: &mut String, depth: usize) -> PyResult<
     }
     // Bytes are a sequence of numbers in Python, but hardly ever meant as one.
     if value.cast::<PyBytes>().is_ok() || value.cast::<PyByteArray>().is_ok() {
-        return Err(refuse(place, "found bytes", "write a text, or numbers"));
+        return Err(refuse(ErrorKind::WrongType, place, "found bytes", "write a text, or numbers"));
     }
     // A set has no order, so it cannot hold coordinates.
     let ordered = value.cast::<PySet>().is_err() && value.cast::<PyFrozenSet>().is_err();
@@ -72,7 +83,12 @@ fn read(value: &Bound<'_, PyAny>, place: &mut String, depth: usize) -> PyResult<
         }
     }
     let kind = value.get_type().name()?;
-    Err(refuse(place, &format!("found a {kind}"), "write plain dicts, lists, strings and numbers"))
+    Err(refuse(
+        ErrorKind::WrongType,
+        place,
+        &format!("found a {kind}"),
+        "write plain dicts, lists, strings and numbers",
+    ))
 }
 
 fn read_mapping(
@@ -85,7 +101,12 @@ fn read_mapping(
         let (key, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item.extract()?;
         let Ok(key) = key.extract::<String>() else {
             let key = key.repr()?;
-            return Err(refuse(place, &format!("the key {key} is not a string"), "write a string"));
+            return Err(refuse(
+                ErrorKind::WrongType,
+                place,
+                &format!("the key {key} is not a string"),
+                "write a string",
+            ));
         };
         let before = place.len();
         if !place.is_empty() {
@@ -107,11 +128,6 @@ fn read_items(items: Bound<'_, PyIterator>, place: &mut String, depth: usize) ->
         place.truncate(before);
     }
     Ok(Node::List(list))
-}
-
-fn refuse(place: &str, what: &str, remedy: &str) -> PyErr {
-    let place = if place.is_empty() { String::new() } else { format!("{place}: ") };
-    InputError::new_err(format!("{place}{what}; {remedy}"))
 }
 
 /// A tree as Python's own types.

@@ -2,12 +2,11 @@
 
 use carom::format::Node;
 use carom::rack::{Break, Game, break_shot as open};
-use carom::{Table, edition};
+use carom::{ErrorKind, Table, edition};
 use carom_rules::GameFacts;
 use pyo3::prelude::*;
 
-use crate::error::to_exception;
-use crate::exceptions::InputError;
+use crate::error::{refuse, to_exception};
 use crate::node::{from_python, to_python};
 use crate::shot::Shot;
 
@@ -70,6 +69,13 @@ pub(crate) fn break_shot(
     open(&opening).map(Shot::from).map_err(|e| to_exception(py, &e))
 }
 
+/// Every kind of error: its name, what it says, and the keys that its details can have.
+#[pyfunction]
+pub(crate) fn error_kinds() -> Vec<(&'static str, &'static str, Vec<&'static str>)> {
+    let all = ErrorKind::ALL.iter();
+    all.map(|kind| (kind.name(), kind.sentence(), kind.details().to_vec())).collect()
+}
+
 /// The JSON Schema of `shot`, `trace` or `play`, as JSON.
 #[pyfunction]
 pub(crate) fn schema(kind: &str) -> PyResult<String> {
@@ -77,8 +83,11 @@ pub(crate) fn schema(kind: &str) -> PyResult<String> {
         "shot" => Ok(carom::format::schema::SHOT.into()),
         "trace" => Ok(carom::format::schema::TRACE.into()),
         "play" => Ok(carom_rules::play_schema().to_json()),
-        _ => Err(InputError::new_err(format!(
-            "there is no schema \"{kind}\"; write \"shot\", \"trace\" or \"play\""
-        ))),
+        _ => Err(refuse(
+            ErrorKind::UnknownName,
+            "kind",
+            &format!("there is no schema \"{kind}\""),
+            "write \"shot\", \"trace\" or \"play\"",
+        )),
     }
 }

@@ -2,7 +2,7 @@
 
 use carom::format::{KeyPath, Node, Reader, with_value_dated};
 use carom::sample::{Distribution, Sequence};
-use carom::{Error, ShotFile};
+use carom::{Error, ErrorKind, ShotFile};
 use carom_plan::sweep::{self, Column, OutcomeColumns, RowResults, STRIKE, SweepRows, Values};
 use numpy::{
     PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2, PyReadonlyArrayDyn,
@@ -10,8 +10,7 @@ use numpy::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::to_exception;
-use crate::exceptions::InputError;
+use crate::error::{refuse, to_exception};
 use crate::json;
 use crate::node::{from_python, to_python};
 use crate::options::NoiseOptions;
@@ -112,7 +111,14 @@ fn with_rows<'py, T>(
         .iter()
         .map(|(name, numbers)| {
             let key = STRIKE.iter().position(|key| key == name);
-            let key = key.ok_or_else(|| InputError::new_err(format!("{name}: no such number")))?;
+            let key = key.ok_or_else(|| {
+                refuse(
+                    ErrorKind::UnknownName,
+                    name,
+                    "there is no such number",
+                    "write a number of a strike",
+                )
+            })?;
             Ok((key, numbers.as_slice()?))
         })
         .collect::<PyResult<Vec<_>>>()?;
@@ -261,7 +267,14 @@ pub(crate) fn points<'py>(
     let sequence = match sequence {
         "random" => Sequence::Random,
         "even" => Sequence::Even,
-        _ => return Err(InputError::new_err("sequence: write \"random\" or \"even\"")),
+        _ => {
+            return Err(refuse(
+                ErrorKind::UnknownName,
+                "sequence",
+                "there is no such sequence",
+                "write \"random\" or \"even\"",
+            ));
+        }
     };
     let index = index.as_slice()?;
     let mut all = vec![0.0; index.len() * dimensions];
@@ -287,7 +300,14 @@ pub(crate) fn quantiles<'py>(
         "uniform" => Distribution::Uniform,
         "log_uniform" => Distribution::LogUniform,
         "normal" => Distribution::Normal,
-        _ => return Err(InputError::new_err(format!("{distribution}: no such distribution"))),
+        _ => {
+            return Err(refuse(
+                ErrorKind::UnknownName,
+                distribution,
+                "there is no such distribution",
+                "write uniform, log_uniform or normal",
+            ));
+        }
     };
     let columns: Vec<Distribution> = a.into_iter().zip(b).map(|(a, b)| of(a, b)).collect();
     let u = u.as_array();

@@ -170,7 +170,7 @@ def _name(argument: str, value: Any) -> str:
     try:
         Player(name)
     except InputError as error:
-        raise InputError(f"{argument}{str(error).removeprefix('player')}") from None
+        raise error.at(argument + error.place.removeprefix("player")) from None
     return name
 
 
@@ -179,7 +179,9 @@ def _each(name: str, value: T | tuple[T, T]) -> tuple[T, T]:
     if not isinstance(value, tuple | list):
         return value, value
     if len(value) != 2:
-        raise InputError(f"{name}: {len(value)} values; give one, or one for each of two players")
+        raise InputError(
+            "wrong-count", name, f"{len(value)} values", "give one, or one for each of two players"
+        )
     return value[0], value[1]
 
 
@@ -194,7 +196,7 @@ def _clocks(names: tuple[str, str], given: Mapping[str, Any]) -> list[dict[str, 
     """The players' clocks in the form of a record."""
     written = [name for name, value in given.items() if value is not None]
     if len(written) > 1:
-        raise InputError(f"{written[1]}: {written[0]} is given too; give one of them")
+        raise InputError("duplicate", written[1], f"{written[0]} is given too", "give one of them")
     name = written[0] if written else "clock"
     amounts = _each(name, given[name] if written else _OLYMPIAD)
     clocks: list[dict[str, Any]] = []
@@ -219,12 +221,14 @@ def _break(
 ) -> dict[str, Any]:
     """A break in the form of a record of a match; with the default elevation if it has none."""
     if not isinstance(play, Play):
-        raise InputError(f"same_break: found a {type(play).__name__}; give carom.Play(...)")
+        raise InputError(
+            "wrong-type", "same_break", f"found a {type(play).__name__}", "give carom.Play(...)"
+        )
     if play.strike.elevation is None:
         try:
             shot = play.shot(Frame(game, table=table, physics=physics))
         except InputError as error:
-            raise InputError(f"same_break: {error}") from None
+            raise error.inside("same_break") from None
         play = replace(play, strike=replace(play.strike, elevation=shot.elevation))
     written = play.to_dict()
     if play.call is not None:

@@ -55,10 +55,9 @@ def import_(
         made = _convert(data, format_, strike, (index, tolerance))
     except InputError as error:
         # The converters have only the bytes of the file.
-        text = str(error)
-        if not text.startswith("the file "):
+        if error.place:
             raise
-        raise InputError(text.replace("the file", f"{file_name(file)}: the file", 1)) from None
+        raise error.at(file_name(file)) from None
     for sentence in made.left_out:
         say(sentence)
     emit(made.shot.to_json())
@@ -75,9 +74,16 @@ def _convert(
         format_ = _recognised(data)
     if format_ is Format.POOLTOOL:
         if strike is not None:
-            raise InputError("--strike: a pooltool system has its own strike; leave the option out")
+            raise InputError(
+                "conflict",
+                "--strike",
+                "a pooltool system has its own strike",
+                "leave the option out",
+            )
         if index is not None:
-            raise InputError("--index: a pooltool file has one system; leave the option out")
+            raise InputError(
+                "conflict", "--index", "a pooltool file has one system", "leave the option out"
+            )
         return carom.convert.pooltool(data, tolerance=tolerance)
     given = None if strike is None else _numbers(strike)
     return carom.convert.fastfiz(_text(data), given, index=index or 0, tolerance=tolerance)
@@ -98,8 +104,10 @@ def _recognised(data: bytes) -> Format:
     if start[:1] in (b"{", b"[", b"\xde", b"\xdf") or b"\x80" <= start[:1] <= b"\x8f":
         return Format.POOLTOOL
     raise InputError(
-        "the file is not one that carom imports; give a system that pooltool saved, or a table "
-        "state or a log of FastFiz (docs/import.md)"
+        "format",
+        "",
+        "the file is not one that carom imports",
+        "give a system that pooltool saved, or a table state or a log of FastFiz (docs/import.md)",
     )
 
 
@@ -108,8 +116,10 @@ def _text(data: bytes) -> str:
         return data.decode("ascii")
     except UnicodeDecodeError:
         raise InputError(
-            "FILE: not ASCII text, but a FastFiz table state is a list of numbers; "
-            "give --format pooltool if pooltool wrote it"
+            "format",
+            "FILE",
+            "not ASCII text, but a FastFiz table state is a list of numbers",
+            "give --format pooltool if pooltool wrote it",
         ) from None
 
 
@@ -118,5 +128,8 @@ def _numbers(words: str) -> list[float]:
         return [float(word) for word in words.replace(",", " ").split()]
     except ValueError:
         raise InputError(
-            f"--strike: {words!r} is not a list of numbers; write five: A B THETA PHI V"
+            "wrong-type",
+            "--strike",
+            f"{words!r} is not a list of numbers",
+            "write five: A B THETA PHI V",
         ) from None

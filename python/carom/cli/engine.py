@@ -39,7 +39,7 @@ def replay(
         engine = ""
         if written["engine"] != ours["engine"]:
             engine = f"; it was saved by {written['engine']}, and this is {ours['engine']}"
-        raise InputError(f"{file}: not reproduced: {difference}{engine}")
+        raise InputError("changed", file, f"not reproduced: {difference}{engine}")
     emit(f"reproduced bit by bit: {len(again)} events, hash {again.hash}")
 
 
@@ -73,7 +73,9 @@ def validate(
     """
     if name is not None and name not in validation.papers():
         known = ", ".join(validation.papers())
-        raise InputError(f"NAME: there is no paper {name!r}; write one of {known}")
+        raise InputError(
+            "unknown-name", "NAME", f"there is no paper {name!r}", f"write one of {known}"
+        )
     raise typer.Exit(validation.run(name))
 
 

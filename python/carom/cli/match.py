@@ -120,9 +120,13 @@ def match(
         _replay(replay, (one, other, out), level, threads, json=json)
         return
     if one is None or other is None:
-        raise InputError("A: two players are needed; write their names: carom:200 carom:2000")
+        raise InputError(
+            "missing", "A", "two players are needed", "write their names: carom:200 carom:2000"
+        )
     if out is None:
-        raise InputError("--out: the match needs a folder; give one, such as --out match")
+        raise InputError(
+            "missing", "--out", "the match needs a folder", "give one, such as --out match"
+        )
     try:
         result = carom.play_match(
             one,
@@ -156,7 +160,9 @@ def _replay(
     record: str, others: tuple[object, ...], level: float, threads: int | None, *, json: bool
 ) -> None:
     if any(other is not None for other in others):
-        raise InputError("--replay: a record has its players; leave A, B and --out out")
+        raise InputError(
+            "conflict", "--replay", "a record has its players", "leave A, B and --out out"
+        )
     found = carom.replay_match(
         read(record), level=level, threads=threads, progress=sys.stderr.isatty()
     )
@@ -166,7 +172,7 @@ def _replay(
             engine = f"; it was written by {found.header['engine']}"
         where = f"line {found.difference['line']}, {found.difference['key']}"
         values = f"{found.difference['recorded']} against {found.difference['replayed']}"
-        raise InputError(f"{record}: not reproduced: {where}: {values}{engine}")
+        raise InputError("changed", record, f"not reproduced: {where}: {values}{engine}")
     if json:
         emit(js.dumps({"frames": found.frames, "reproduced": True, **found.score.to_dict()}))
         return
@@ -177,7 +183,9 @@ def _each(name: str, words: str, make: Callable[[str], T]) -> tuple[T, T]:
     """The value of each player; one is for both."""
     items = [make(word) for word in words.split(",")]
     if len(items) > 2:
-        raise InputError(f"--{name}: {len(items)} values; give one, or one for each player")
+        raise InputError(
+            "wrong-count", f"--{name}", f"{len(items)} values", "give one, or one for each player"
+        )
     return items[0], items[-1]
 
 
@@ -190,7 +198,9 @@ def _numbers(name: str, words: str | None, kind: Callable[[str], T]) -> tuple[T,
         if isinstance(error, InputError):
             raise
         kinds = "whole numbers" if kind is int else "numbers"
-        raise InputError(f"--{name}: {words!r} are not {kinds}; write one or two") from None
+        raise InputError(
+            "wrong-type", f"--{name}", f"{words!r} are not {kinds}", "write one or two"
+        ) from None
 
 
 def _perception(word: str) -> Perception:
@@ -199,7 +209,9 @@ def _perception(word: str) -> Perception:
     except InputError:
         raise
     except ValueError:
-        raise InputError(f"--perception: {word!r} is not a number; write metres") from None
+        raise InputError(
+            "wrong-type", "--perception", f"{word!r} is not a number", "write metres"
+        ) from None
 
 
 def _test(words: str) -> tuple[float, float]:
@@ -208,7 +220,7 @@ def _test(words: str) -> tuple[float, float]:
         p0, p1 = map(float, shares)
     except ValueError:
         raise InputError(
-            f"--test: {words!r} is not P0,P1; write two shares, such as 0.5,0.55"
+            "wrong-type", "--test", f"{words!r} is not P0,P1", "write two shares, such as 0.5,0.55"
         ) from None
     return p0, p1
 
@@ -217,7 +229,9 @@ def _breaker(word: str) -> str | int:
     if word == "alternate":
         return word
     if word not in ("A", "B"):
-        raise InputError(f"--breaker: {word!r} is not a player; write alternate, A or B")
+        raise InputError(
+            "wrong-type", "--breaker", f"{word!r} is not a player", "write alternate, A or B"
+        )
     return "AB".index(word)
 
 

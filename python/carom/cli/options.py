@@ -84,8 +84,8 @@ def named_noise(name: str) -> Noise:
     text = read_text(name)
     try:
         return Noise.from_dict(loads(text))
-    except ValueError as error:
-        raise InputError(f"{shown(name)}: {error}") from None
+    except InputError as error:
+        raise error.inside(shown(name), ": ") from None
 
 
 def noise_of(name: str, cling: float) -> Noise:

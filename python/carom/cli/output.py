@@ -103,6 +103,6 @@ def read_bytes(path: str) -> bytes:
     if path != "-":
         return Path(path).read_bytes()
     if sys.stdin is None:
-        raise InputError("stdin: it is closed; give the name of a file")
+        raise InputError("system", "stdin", "it is closed", "give the name of a file")
     with at_file(file_name(path)):
         return sys.stdin.buffer.read()

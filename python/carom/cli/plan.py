@@ -95,7 +95,7 @@ def evaluate(
     Variants of the strike, with errors of the player, are simulated and counted.
     """
     if call is not None and game is None:
-        raise InputError("--call: a call needs a game; give --game too")
+        raise InputError("missing", "--call", "a call needs a game", "give --game too")
     shot = read_shot(file)
     announced = None if call is None else _call(call)
     shot, frame = (shot, None) if game is None else _in_game(shot, game, announced)
@@ -510,6 +510,8 @@ def _disc(text: str) -> tuple[tuple[float, float], float]:
 def _steps(name: str, text: str) -> list[float]:
     start, end, count = numbers(name, text, ":", "FROM:TO:COUNT")
     if not (count.is_integer() and 1 <= count <= 10_000):
-        raise InputError(f"--{name}: {count:g} is not a number of steps; write 1 to 10000")
+        raise InputError(
+            "out-of-range", f"--{name}", f"{count:g} is not a number of steps", "write 1 to 10000"
+        )
     steps = max(1, int(count) - 1)
     return [start + (end - start) * k / steps for k in range(int(count))]

@@ -62,13 +62,17 @@ def physics(
     given = {key: value for key, value in options.items() if value is not None}
     if rolling_bands is not None:
         if name is not None:
-            raise carom.InputError("NAME: --rolling-bands needs no preset; leave the name out")
+            raise carom.InputError(
+                "conflict", "NAME", "--rolling-bands needs no preset", "leave the name out"
+            )
         a, b = numbers("rolling-bands", rolling_bands, ",", "A,B", 2)
         emit(js.dumps(carom.rolling_bands(a, b, **given)))
         return
     if given:
         option = next(iter(given))
-        raise carom.InputError(f"--{option}: it belongs to speed bands; give --rolling-bands too")
+        raise carom.InputError(
+            "conflict", f"--{option}", "it belongs to speed bands", "give --rolling-bands too"
+        )
     known = carom.physics()
     if name is not None:
         names = [known_name for p in known for known_name in (p["name"], p["dated_name"])]
@@ -76,7 +80,10 @@ def physics(
         if not known:
             listed = ", ".join(dict.fromkeys(names))
             raise carom.InputError(
-                f'name: there is no physics preset "{name}"; write one of {listed}'
+                "unknown-name",
+                "name",
+                f'there is no physics preset "{name}"',
+                f"write one of {listed}",
             )
     if json:
         emit(js.dumps(known, indent=2))

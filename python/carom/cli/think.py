@@ -127,7 +127,7 @@ def _opponent(name: str, cling: float) -> Noise:
     try:
         return noise_of(name, cling)
     except InputError as error:
-        raise InputError(f"--opponent-noise: {error}") from None
+        raise error.inside("--opponent-noise", ": ") from None
 
 
 def _frame(text: str, name: str, game: str | None) -> Frame:
@@ -136,16 +136,22 @@ def _frame(text: str, name: str, game: str | None) -> Frame:
     kind = str(file.get("format", "carom-shot")) if isinstance(file, dict) else "carom-shot"
     if kind.startswith("carom-frame"):
         if game is not None:
-            raise InputError("--game: the record of a frame has its game; leave the option out")
+            raise InputError(
+                "conflict", "--game", "the record of a frame has its game", "leave the option out"
+            )
         return Frame.replay(file)
     if not kind.startswith("carom-shot"):
         raise InputError(
-            f"{name}: format: found {file['format']!r}; give a shot (carom-shot/1) or the "
-            "record of a frame (carom-frame/1)"
+            "format",
+            f"{name}: format",
+            f"found {file.get('format')!r}",
+            "give a shot (carom-shot/1) or the record of a frame (carom-frame/1)",
         )
     shot = Shot.from_dict(file)
     if game is None:
-        raise InputError("--game: a shot file has no game; give one, such as --game eight-ball")
+        raise InputError(
+            "missing", "--game", "a shot file has no game", "give one, such as --game eight-ball"
+        )
     return Frame.of_shot(game, shot)
 
 
@@ -153,6 +159,8 @@ def _refuse_picture(svg: Path | None, png: Path | None) -> None:
     for option, path in (("--svg", svg), ("--png", png)):
         if path is not None:
             raise InputError(
-                f"{option}: the frame requests a choice, and there is no play to draw; "
-                "leave the option out"
+                "wrong-state",
+                option,
+                "the frame requests a choice, and there is no play to draw",
+                "leave the option out",
             )

@@ -23,5 +23,7 @@ def numbers(name: str, text: str, separator: str, shape: str, count: int = 3) ->
     except ValueError:
         found = []
     if len(found) != count:
-        raise InputError(f"--{name}: {text!r} is not {shape}; write {count} numbers")
+        raise InputError(
+            "wrong-count", f"--{name}", f"{text!r} is not {shape}", f"write {count} numbers"
+        )
     return found

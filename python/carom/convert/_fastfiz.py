@@ -63,9 +63,11 @@ def fastfiz(
     if lines.split(maxsplit=1)[:1] and lines.split(maxsplit=1)[0] in LOG_WORDS:
         words, logged = _of_log(lines, whole("index", index), notes)
     elif index:
-        raise InputError(f"index: {index} is out of range; a table state has only 0")
+        raise InputError(
+            "out-of-range", "index", f"{index} is out of range", "a table state has only 0"
+        )
     if logged is not None and strike is not None:
-        raise InputError("strike: the log has a shot for this state; leave it out")
+        raise InputError("conflict", "strike", "the log has a shot for this state", "leave it out")
     strike = logged if strike is None else strike
     balls, more = _balls(words)
     file: dict[str, Any] = {"format": "carom-shot/1", "table": "poolfiz", "balls": balls}
@@ -80,7 +82,9 @@ def fastfiz(
     else:
         radius = next((b["radius"] for b in balls if b["id"] == "cue"), None)
         if radius is None:
-            raise InputError("strike: the table state has no cue ball in play; leave it out")
+            raise InputError(
+                "conflict", "strike", "the table state has no cue ball in play", "leave it out"
+            )
         file["strike"] = _strike(strike, radius)
     return made(file, notes, tolerance)
 
@@ -109,11 +113,16 @@ def _of_log(text: str, index: int, notes: list[str]) -> tuple[list[str], list[fl
                 noisy.add(len(states) - 1)
         elif kind and kind not in LOG_WORDS:
             raise InputError(
-                f"line {n}: a line of a FastFiz log begins with one of {', '.join(LOG_WORDS)}, and "
-                f"this one with {kind!r}; remove it"
+                "syntax",
+                f"line {n}",
+                f"a line of a FastFiz log begins with one of {', '.join(LOG_WORDS)}, and "
+                f"this one with {kind!r}",
+                "remove it",
             )
     if index >= len(states):
-        raise InputError(f"index: {index} is out of range; the log has {len(states)} states")
+        raise InputError(
+            "out-of-range", "index", f"{index} is out of range", f"the log has {len(states)} states"
+        )
     if len(states) > 1:
         notes.append(f"The log has {len(states)} states; this is number {index}, counted from 0.")
     if index in noisy:
@@ -125,8 +134,10 @@ def _balls(words: list[str]) -> tuple[list[dict[str, Any]], list[str]]:
     count = _number(words, 0, "the number of balls")
     if count < 1 or not count.is_integer() or len(words) != 1 + _FIELDS * count:
         raise InputError(
-            f"the table state begins with {count:g} balls, but {len(words) - 1} numbers follow; "
-            f"write {_FIELDS} numbers for each ball: radius, state, type, x and y"
+            "wrong-count",
+            "",
+            f"the table state begins with {count:g} balls, but {len(words) - 1} numbers follow",
+            f"write {_FIELDS} numbers for each ball: radius, state, type, x and y",
         )
     balls, notes, pocketed, moving, absent = [], [], [], [], []
     for i in range(int(count)):
@@ -134,8 +145,10 @@ def _balls(words: list[str]) -> tuple[list[dict[str, Any]], list[str]]:
         radius, state, kind, x, y = (_number(words, at + j, f"ball {i}") for j in range(_FIELDS))
         if kind not in range(_TYPES) or state not in range(_STATES):
             raise InputError(
-                f"ball {i}: state {state:g} and type {kind:g} do not exist in FastFiz; "
-                "write a state from 0 to 10 and a type from 0 to 15"
+                "out-of-range",
+                f"ball {i}",
+                f"state {state:g} and type {kind:g} do not exist in FastFiz",
+                "write a state from 0 to 10 and a type from 0 to 15",
             )
         name = "cue" if kind == 0 else str(int(kind))
         if state in _POCKETS:
@@ -154,7 +167,7 @@ def _balls(words: list[str]) -> tuple[list[dict[str, Any]], list[str]]:
         if names:
             notes.append(what.format(", ".join(names)))
     if not balls:
-        raise InputError("the table state has no ball in play; add one")
+        raise InputError("ball-count", "", "the table state has no ball in play", "add one")
     return balls, notes
 
 
@@ -163,13 +176,19 @@ def _strike(params: Sequence[float], radius: float) -> dict[str, Any]:
     params = numbers("strike", params, _FIELDS)
     if not all(math.isfinite(p) for p in params):
         raise InputError(
-            "strike: a number is not finite; write a, b (mm), theta, phi (degrees), v (m/s)"
+            "out-of-range",
+            "strike",
+            "a number is not finite",
+            "write a, b (mm), theta, phi (degrees), v (m/s)",
         )
     a, b, theta, phi, speed = params
     a, b = 1e-3 * a / radius, 1e-3 * b / radius
     if a * a + b * b > 1.0:
         raise InputError(
-            f"strike: a and b are {math.hypot(a, b):.3g} ball radii off centre; give less than 1"
+            "out-of-range",
+            "strike",
+            f"a and b are {math.hypot(a, b):.3g} ball radii off centre",
+            "give less than 1",
         )
     towards_cue = math.sqrt(1.0 - a * a - b * b)
     sin, cos = math.sin(math.radians(theta)), math.cos(math.radians(theta))
@@ -191,8 +210,10 @@ def _number(words: list[str], index: int, what: str) -> float:
     except (IndexError, ValueError):
         found = words[index] if index < len(words) else "nothing"
         raise InputError(
-            f"{what}: {found!r} is not a number; write numbers separated by blanks"
+            "wrong-type", what, f"{found!r} is not a number", "write numbers separated by blanks"
         ) from None
     if not math.isfinite(value):
-        raise InputError(f"{what}: {words[index]} is not finite; write a finite number")
+        raise InputError(
+            "out-of-range", what, f"{words[index]} is not finite", "write a finite number"
+        )
     return value

@@ -24,8 +24,10 @@ def unpack(data: bytes) -> Any:
         import msgpack
     except ImportError:
         raise InputError(
-            "the file is MessagePack, and msgpack is not installed: "
-            "pip install 'carom[import]', or save the system as JSON"
+            "unsupported",
+            "",
+            "the file is MessagePack, and msgpack is not installed",
+            "pip install 'carom[import]', or save the system as JSON",
         ) from None
     try:
         return msgpack.unpackb(data, object_hook=_array)
@@ -35,7 +37,10 @@ def unpack(data: bytes) -> Any:
         # The error of a tree that is nested too deeply has no text.
         why = str(error) or "nested too deeply"
         raise InputError(
-            f"the file is neither JSON nor MessagePack ({why}); give a system that pooltool saved"
+            "syntax",
+            "",
+            f"the file is neither JSON nor MessagePack ({why})",
+            "give a system that pooltool saved",
         ) from None
 
 
@@ -45,10 +50,18 @@ def _array(map_: dict[Any, Any]) -> Any:
     kind = map_[b"type"]
     if map_.get(b"kind") or not isinstance(kind, str):
         raise InputError(
-            "the file holds an array that is not of numbers; give a system that pooltool saved"
+            "wrong-type",
+            "",
+            "the file holds an array that is not of numbers",
+            "give a system that pooltool saved",
         )
     dtype = np.dtype(kind)
     if dtype.hasobject:
-        raise InputError("the file holds an array of objects; give a system that pooltool saved")
+        raise InputError(
+            "wrong-type",
+            "",
+            "the file holds an array of objects",
+            "give a system that pooltool saved",
+        )
     values = np.frombuffer(map_[b"data"], dtype=dtype)
     return values.reshape(map_[b"shape"]).tolist() if map_[b"nd"] else values[0].item()

@@ -42,7 +42,7 @@ def pooltool(
     tree = _tree(source)
     system = Place(tree)
     if isinstance(tree, Mapping) and "multisystem" in tree:
-        raise system.refuse("is a MultiSystem; save one of its systems by itself")
+        raise system.refuse("format", "is a MultiSystem", "save one of its systems by itself")
     notes: list[str] = []
     where, kind = table(system["table"], notes)
     balls = _balls(system["balls"], notes)
@@ -71,7 +71,9 @@ def _tree(source: Any) -> Any:
         refuse_other_encoding(data, shown(path))
         return _decode(data)
     kind = type(source).__name__
-    raise InputError(f"source: found a {kind}; give a file's path, its bytes, or a dict")
+    raise InputError(
+        "wrong-type", "source", f"found a {kind}", "give a file's path, its bytes, or a dict"
+    )
 
 
 def _decode(data: bytes) -> Any:
@@ -81,16 +83,19 @@ def _decode(data: bytes) -> Any:
         return json.loads(data)
     except json.JSONDecodeError as error:
         raise InputError(
-            f"the file is not JSON: {error.msg} (line {error.lineno}, column {error.colno}); "
-            "give a system that pooltool saved"
+            "syntax",
+            "",
+            f"the file is not JSON: {error.msg} (line {error.lineno}, column {error.colno})",
+            "give a system that pooltool saved",
+            {"line": error.lineno, "column": error.colno},
         ) from None
     except ValueError as error:
         raise InputError(
-            f"the file is not JSON ({error}); give a system that pooltool saved"
+            "syntax", "", f"the file is not JSON ({error})", "give a system that pooltool saved"
         ) from None
     except RecursionError:
         raise InputError(
-            "the file is nested too deeply; give a system that pooltool saved"
+            "syntax", "", "the file is nested too deeply", "give a system that pooltool saved"
         ) from None
 
 
@@ -141,7 +146,9 @@ def _physics(system: Place, base: str, notes: list[str]) -> dict[str, Any]:
     struck = system["cue"]["cue_ball_id"].text()
     if struck not in balls:
         raise system["cue"].refuse(
-            f'cue_ball_id is "{struck}", but there is no such ball; write the id of a ball'
+            "unknown-ball",
+            f'cue_ball_id is "{struck}", but there is no such ball',
+            "write the id of a ball",
         )
     params = balls[struck]["params"]
     p = {key: params[key].number() for key in ("m", "R", *_SHARED)}

@@ -28,7 +28,9 @@ def table(at: Place, notes: list[str]) -> tuple[str | JSON, str]:
     """The table for a shot file, and the name of its base physics preset."""
     kind = at["table_type"].text()
     if kind not in _PRESETS:
-        raise at["table_type"].refuse(f'is "{kind}"; write one of {", ".join(_PRESETS)}')
+        raise at["table_type"].refuse(
+            "unknown-name", f'is "{kind}"', f"write one of {', '.join(_PRESETS)}"
+        )
     segments, base = at["cushion_segments"]["linear"], _PRESETS[kind]
     width = segments["12"]["p1"].vector()[0]
     length = segments["9"]["p1"].vector()[1]

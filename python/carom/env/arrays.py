@@ -19,4 +19,4 @@ def floats(name: str, values: Any) -> NDArray[np.float32]:
     try:
         return np.ascontiguousarray(values, dtype=np.float32)
     except (TypeError, ValueError):
-        raise InputError(f"{name}: not numbers; give an array of numbers") from None
+        raise InputError("wrong-type", name, "not numbers", "give an array of numbers") from None

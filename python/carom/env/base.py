@@ -175,10 +175,14 @@ class Environments:
         """
         row = floats("action", action)
         if row.shape != (self._width,):
-            raise InputError(f"action: found the shape {row.shape}; give {(self._width,)}")
+            raise InputError(
+                "wrong-count", "action", f"found the shape {row.shape}", f"give {(self._width,)}"
+            )
         fields = self._core.play(self._index(index), row)
         if fields is None:
-            raise InputError("action: the episode is over; reset the environment")
+            raise InputError(
+                "wrong-state", "action", "the episode is over", "reset the environment"
+            )
         return Play._read(fields)
 
     def strike_of(self, action: Array, index: int = 0) -> Strike:
@@ -226,7 +230,12 @@ class Environments:
         self._check_seeded("branches")
         rows = floats("actions", actions)
         if rows.ndim != 2 or rows.shape[1] != self._width:
-            raise InputError(f"actions: found the shape {rows.shape}; give (n, {self._width})")
+            raise InputError(
+                "wrong-count",
+                "actions",
+                f"found the shape {rows.shape}",
+                f"give (n, {self._width})",
+            )
         drawn = None if seeds is None else [whole("seeds", seed) for seed in seeds]
         count, threads = len(rows), thread_count(threads)
         copies = self._core.copies(self._index(index), count, drawn, threads)
@@ -285,7 +294,9 @@ _MADE = {"_core", "_settings", "_ask", "_width"}
 def _bytes(state: Any) -> bytes:
     if not isinstance(state, bytes | bytearray | memoryview):
         found = type(state).__name__
-        raise InputError(f"state: found a {found}; give the bytes that get_state returned")
+        raise InputError(
+            "wrong-type", "state", f"found a {found}", "give the bytes that get_state returned"
+        )
     return bytes(state)
 
 

@@ -73,13 +73,18 @@ class EpisodeWriter:
             ) from error
         if not hasattr(env, "step") or not hasattr(env, "action_space"):
             raise InputError(
-                f"env: found a {type(env).__name__}; give an environment of Gymnasium or a vector"
+                "wrong-type",
+                "env",
+                f"found a {type(env).__name__}",
+                "give an environment of Gymnasium or a vector",
             )
         self._pa = pa
         self.env = env
         self.folder = checked_path("folder", folder, "episodes")
         if (self.folder / "metadata.json").exists():
-            raise InputError(f"folder: {self.folder} has a data set; choose another folder")
+            raise InputError(
+                "conflict", "folder", f"{self.folder} has a data set", "choose another folder"
+            )
         self.folder.mkdir(parents=True, exist_ok=True)
         self._is_vector = isinstance(env, VectorEnv)
         spaces: Any = env

@@ -53,10 +53,14 @@ class CaromMatch(Environments, AECEnv[str, Any, Any]):  # type: ignore[misc]
     ) -> None:
         super().__init__()
         if game == "potting":
-            raise InputError("game: potting has one player; choose a game, such as eight-ball")
+            raise InputError(
+                "unsupported", "game", "potting has one player", "choose a game, such as eight-ball"
+            )
         for key in ("opponent", "seat"):
             if key in settings:
-                raise InputError(f"{key}: both players are agents in a match; leave it out")
+                raise InputError(
+                    "conflict", key, "both players are agents in a match", "leave it out"
+                )
         given = {"threads": 1} | settings | {"autoreset_mode": "disabled"}
         self._make(text("game", game), 1, given)
         self.render_mode = check_mode(render_mode)
@@ -105,7 +109,9 @@ class CaromMatch(Environments, AECEnv[str, Any, Any]):  # type: ignore[misc]
     def observe(self, agent: str) -> Array:
         """The observation of ``agent``, whether or not it shoots next."""
         if agent not in self.possible_agents:
-            raise InputError(f"agent: there is no {agent!r}; write player_0 or player_1")
+            raise InputError(
+                "unknown-name", "agent", f"there is no {agent!r}", "write player_0 or player_1"
+            )
         return self._core.observe(0, self.possible_agents.index(agent))
 
     def step(self, action: Array | None) -> None:

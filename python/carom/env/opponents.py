@@ -33,8 +33,11 @@ def kind_of(opponent: Any) -> str | None:
     if callable(opponent):
         return "policy"
     raise InputError(
-        f'opponent: found a {type(opponent).__name__}; write a name, such as "none", or give a '
-        "function from observations to actions, or an object with choose(situation)"
+        "wrong-type",
+        "opponent",
+        f"found a {type(opponent).__name__}",
+        'write a name, such as "none", or give a function from observations to actions, or an '
+        "object with choose(situation)",
     )
 
 
@@ -57,8 +60,10 @@ def _policy(policy: Callable[[Any], Any], width: int) -> Ask:
         found = floats("opponent", policy(rows))
         if found.shape != (len(rows), width):
             raise InputError(
-                f"opponent: it returned actions of the shape {found.shape} for {len(rows)} "
-                f"observations; return {(len(rows), width)}"
+                "wrong-count",
+                "opponent",
+                f"it returned actions of the shape {found.shape} for {len(rows)} observations",
+                f"return {(len(rows), width)}",
             )
         return found
 

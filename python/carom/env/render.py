@@ -22,7 +22,10 @@ def check_mode(render_mode: str | None) -> str | None:
     """
     if render_mode not in (None, "rgb_array"):
         raise InputError(
-            f'render_mode: there is no mode {render_mode!r}; write "rgb_array", or leave it out'
+            "unknown-name",
+            "render_mode",
+            f"there is no mode {render_mode!r}",
+            'write "rgb_array", or leave it out',
         )
     return render_mode
 

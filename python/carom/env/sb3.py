@@ -57,13 +57,18 @@ class SB3VecEnv(VecEnv):  # type: ignore[misc]
         """
         if not isinstance(envs, VectorEnv):
             raise InputError(
-                f"envs: found a {type(envs).__name__}; give a Gymnasium vector, for example "
-                'gymnasium.make_vec("carom/Potting-v3", num_envs=64)'
+                "wrong-type",
+                "envs",
+                f"found a {type(envs).__name__}",
+                "give a Gymnasium vector, for example "
+                'gymnasium.make_vec("carom/Potting-v3", num_envs=64)',
             )
         if envs.metadata.get("autoreset_mode") is not AutoresetMode.SAME_STEP:
             raise InputError(
-                "envs: stable-baselines3 needs the new episode in the step that ends the old one; "
-                'make the vector with autoreset_mode="same-step"'
+                "unsupported",
+                "envs",
+                "stable-baselines3 needs the new episode in the step that ends the old one",
+                'make the vector with autoreset_mode="same-step"',
             )
         self.envs = envs
         self._view = view or _as_it_is

@@ -47,7 +47,12 @@ class Rewards:
         for field in fields(self):
             value = number(f"rewards.{field.name}", getattr(self, field.name))
             if not math.isfinite(value):
-                raise InputError(f"rewards.{field.name}: {value!r} is not finite; write a number")
+                raise InputError(
+                    "out-of-range",
+                    f"rewards.{field.name}",
+                    f"{value!r} is not finite",
+                    "write a number",
+                )
             object.__setattr__(self, field.name, value)
 
 
@@ -182,13 +187,15 @@ def _checked(
     **unknown: Any,
 ) -> Settings:
     for name in unknown:
-        raise InputError(_no_such(name))
+        raise _no_such(name)
     if noise is not None:
         instance("noise", noise, Noise, "carom.Noise.olympiad(1.0)")
     if rewards is not None and not isinstance(rewards, Rewards):
         raise InputError(
-            f"rewards: found a {type(rewards).__name__}; give carom.env.Rewards(...), "
-            "for example carom.env.Rewards(win=1.0)"
+            "wrong-type",
+            "rewards",
+            f"found a {type(rewards).__name__}",
+            "give carom.env.Rewards(...), for example carom.env.Rewards(win=1.0)",
         )
     outside = kind_of(opponent)
     return Settings(
@@ -224,7 +231,10 @@ def _setups(table: Any, physics: Any) -> list[tuple[Any, Any]]:
     count = max(len(tables), len(all_physics))
     if 1 < min(len(tables), len(all_physics)) < count:
         raise InputError(
-            f"physics: there are {len(all_physics)} for {len(tables)} tables; give one for each"
+            "wrong-count",
+            "physics",
+            f"there are {len(all_physics)} for {len(tables)} tables",
+            "give one for each",
         )
     return [
         (tables[index % len(tables)], all_physics[index % len(all_physics)])
@@ -241,17 +251,21 @@ def _each(value: Any, kind: type[Table] | type[Physics]) -> list[Any]:
 def _laws(randomize: Mapping[str, Any]) -> dict[str, Any]:
     if not isinstance(randomize, Mapping):
         raise InputError(
-            f"randomize: found a {type(randomize).__name__}; give keys of the physics with laws, "
-            'such as {"cloth.rolling_friction": (0.008, 0.012)}'
+            "wrong-type",
+            "randomize",
+            f"found a {type(randomize).__name__}",
+            "give keys of the physics with laws, such as "
+            '{"cloth.rolling_friction": (0.008, 0.012)}',
         )
     return dict(randomize)
 
 
-def _no_such(name: str) -> str:
+def _no_such(name: str) -> InputError:
     known = [*(_checked.__kwdefaults__ or {}), "render_mode"]
     near = difflib.get_close_matches(name, known, 1)
     meant = f'did you mean "{near[0]}"? ' if near else ""
-    return f"{name}: there is no such setting; {meant}(known: {', '.join(known)})"
+    remedy = f"{meant}(known: {', '.join(known)})"
+    return InputError("unknown-name", name, "there is no such setting", remedy, {"name": name})
 
 
 def _whole_pair(name: str, value: int | Sequence[int]) -> tuple[int, int]:
@@ -261,6 +275,9 @@ def _whole_pair(name: str, value: int | Sequence[int]) -> tuple[int, int]:
         low = high = value
     except ValueError:
         raise InputError(
-            f"{name}: {value!r} is not one number or two; write a whole number or (least, most)"
+            "wrong-count",
+            name,
+            f"{value!r} is not one number or two",
+            "write a whole number or (least, most)",
         ) from None
     return whole(name, low, _LARGEST + 1), whole(name, high, _LARGEST + 1)

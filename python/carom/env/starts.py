@@ -25,13 +25,18 @@ def read_options(options: Any, known: Sequence[str]) -> dict[str, Any]:
         return {}
     if not isinstance(options, Mapping):
         found = type(options).__name__
-        raise InputError(f"options: found a {found}; give a dict with {' or '.join(known)}")
+        raise InputError(
+            "wrong-type", "options", f"found a {found}", f"give a dict with {' or '.join(known)}"
+        )
     for key in options:
         if key not in known:
             near = difflib.get_close_matches(str(key), known, 1)
             meant = f'did you mean "{near[0]}"? ' if near else ""
             raise InputError(
-                f"options.{key}: there is no such option; {meant}(known: {', '.join(known)})"
+                "unknown-name",
+                f"options.{key}",
+                "there is no such option",
+                f"{meant}(known: {', '.join(known)})",
             )
     return dict(options)
 
@@ -47,14 +52,18 @@ def read_starts(options: Mapping[str, Any], count: int) -> list[_core.Shot | _co
     if not given:
         return []
     if len(given) > 1:
-        raise InputError("options.frame: there is a shot too; give only one of them")
+        raise InputError(
+            "conflict", "options.frame", "there is a shot too", "give only one of them"
+        )
     key = given[0]
     value = options[key]
     if isinstance(value, Sequence) and not isinstance(value, str):
         if len(value) != count:
             raise InputError(
-                f"options.{key}: there are {len(value)} for {count} environments; give one, or one "
-                "for each (None for its usual start)"
+                "wrong-count",
+                f"options.{key}",
+                f"there are {len(value)} for {count} environments",
+                "give one, or one for each (None for its usual start)",
             )
         return [
             None if one is None else start(one, f"options.{key}[{index}]")
@@ -74,10 +83,12 @@ def start(value: Any, place: str) -> _core.Shot | _core.Frame:
             is_frame = str(value.get("format", "")).startswith("carom-frame/")
             value = Frame.replay(value) if is_frame else Shot.from_dict(dict(value))
     except InputError as error:
-        raise InputError(f"{place}: {error}") from error
+        raise error.inside(place, ": ") from error
     if isinstance(value, Shot | Frame):
         return value._core
     raise InputError(
-        f"{place}: found a {type(value).__name__}; give a carom.Shot, a carom.Frame, the dict of a "
-        "shot, or a frame's record"
+        "wrong-type",
+        place,
+        f"found a {type(value).__name__}",
+        "give a carom.Shot, a carom.Frame, the dict of a shot, or a frame's record",
     )

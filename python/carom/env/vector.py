@@ -127,8 +127,10 @@ class CaromVectorEnv(Environments, VectorEnv[Any, Any, Any]):
             mask = np.asarray(mask)
             if mask.dtype != np.bool_ or mask.shape != (self.num_envs,):
                 raise InputError(
-                    f"reset_mask: found {mask.dtype} of shape {mask.shape}; "
-                    f"give booleans of shape ({self.num_envs},)"
+                    "wrong-type",
+                    "reset_mask",
+                    f"found {mask.dtype} of shape {mask.shape}",
+                    f"give booleans of shape ({self.num_envs},)",
                 )
         observations = self._core.reset(seeds, mask, starts, self._ask)
         self._seeded = True
@@ -148,7 +150,9 @@ class CaromVectorEnv(Environments, VectorEnv[Any, Any, Any]):
         actions = floats("actions", actions)
         if actions.shape != self.action_space.shape:
             wanted = self.action_space.shape
-            raise InputError(f"actions: found the shape {actions.shape}; give {wanted}")
+            raise InputError(
+                "wrong-count", "actions", f"found the shape {actions.shape}", f"give {wanted}"
+            )
         return self._results(self._core, actions)
 
     def render(self) -> tuple[Array, ...] | None:

@@ -140,7 +140,10 @@ def draw_table(geometry: dict[str, Any]) -> Figure:
     """
     if not isinstance(geometry, dict) or not geometry.get("size"):
         raise InputError(
-            "geometry: not the geometry of a table with edges; give one of carom.tables()"
+            "wrong-type",
+            "geometry",
+            "not the geometry of a table with edges",
+            "give one of carom.tables()",
         )
     left, bottom, right, top = table.bounds(geometry, [])
     scale = TABLE_INCHES / (top - bottom)

@@ -61,8 +61,10 @@ def _draw(found: Drawn, title: str | None) -> Figure:
     if isinstance(found, BreakStatistics):
         return _draw_breaks(found, title or f"{found.racks} breaks of {found.game}")
     raise InputError(
-        f"found: found a {type(found).__name__}; give a carom.Shot, a carom.Frame, a carom.Trace, "
-        "or the answer to a question about a shot"
+        "wrong-type",
+        "found",
+        f"found a {type(found).__name__}",
+        "give a carom.Shot, a carom.Frame, a carom.Trace, or the answer to a question about a shot",
     )
 
 

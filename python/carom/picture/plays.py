@@ -59,7 +59,9 @@ def draw(analysis: Analysis, *, title: str | None = None) -> Figure:
     instance("analysis", analysis, Analysis, "player.explain(frame)")
     best = analysis.best
     if best is None:
-        raise InputError("analysis: it has no play to draw; look at the places of the balls")
+        raise InputError(
+            "no-play", "analysis", "it has no play to draw", "look at the places of the balls"
+        )
     figure, ax = sheet(best.shot, PANEL_INCHES)
     _draw_play(ax, best)
     _draw_list(figure, analysis, title or analysis.frame.game)

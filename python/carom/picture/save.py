@@ -46,7 +46,12 @@ def save(
     """
     file = checked_path("path", path, "shot.svg")
     if file.suffix not in {".svg", ".png"}:
-        raise InputError(f"path: {file.name!r} ends neither in .svg nor in .png; end it in one")
+        raise InputError(
+            "unknown-name",
+            "path",
+            f"{file.name!r} ends neither in .svg nor in .png",
+            "end it in one",
+        )
     figure = _draw(found, title, leave)
     if file.suffix == ".svg":
         write_whole(file, to_svg(figure))
@@ -76,10 +81,15 @@ def _draw(
         return plays.draw(found, title=title)
     if isinstance(found, list | tuple):
         if not all(isinstance(item, Solution) for item in found):
-            raise InputError("found: not a list of solutions; give what Shot.solve returned")
+            raise InputError(
+                "wrong-type", "found", "not a list of solutions", "give what Shot.solve returned"
+            )
         if not found:
             raise InputError(
-                "found: there are no solutions; picture.solutions.draw draws the table without any"
+                "missing",
+                "found",
+                "there are no solutions",
+                "picture.solutions.draw draws the table without any",
             )
         return solutions.draw(found[0].shot, found, leave=leave, title=title)
     return maps.draw(found, title=title)  # type: ignore[arg-type] # all that is left

@@ -37,7 +37,10 @@ def sheet(shot: Shot, beside: float, *, heading: str | None = None) -> tuple[Fig
     geometry = shot.geometry()
     if geometry["size"] is None:
         raise InputError(
-            "table: the cloth has no edges, and a picture needs them; choose another table"
+            "unsupported",
+            "table",
+            "the cloth has no edges, and a picture needs them",
+            "choose another table",
         )
     left, bottom, right, top = table.bounds(geometry, [])
     scale = LONG_SIDE_INCHES / max(top - bottom, right - left)

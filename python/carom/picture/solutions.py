@@ -106,7 +106,10 @@ def _draw_area(ax: Axes, leave: tuple[Sequence[float], float]) -> None:
         place, size = leave
     except (TypeError, ValueError):
         raise InputError(
-            f"leave: {leave!r} is not a disc; give ((x, y), radius), such as ((0.6, 0.6), 0.2)"
+            "wrong-type",
+            "leave",
+            f"{leave!r} is not a disc",
+            "give ((x, y), radius), such as ((0.6, 0.6), 0.2)",
         ) from None
     x, y, radius = numbers("leave", [*numbers("leave", place, 2), size], 3)
     ax.add_patch(

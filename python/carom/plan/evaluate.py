@@ -185,7 +185,9 @@ class Evaluation:
     def _ball(self, ball: str) -> int:
         ids = self.shot.ids
         if text("ball", ball, "its id") not in ids:
-            raise InputError(f"ball: there is no {ball!r}; write one of {', '.join(ids)}")
+            raise InputError(
+                "unknown-ball", "ball", f"there is no {ball!r}", f"write one of {', '.join(ids)}"
+            )
         return ids.index(ball)
 
 
@@ -235,7 +237,9 @@ def evaluate(
     watched = None
     if watch is not None:
         if precision is None:
-            raise InputError("watch: it has no effect without precision; give precision too")
+            raise InputError(
+                "conflict", "watch", "it has no effect without precision", "give precision too"
+            )
         watched = ball_and_pocket("watch", watch)
     with stage_bars(["shots"], show=progress) as report:
         found = _core.evaluate(
@@ -258,6 +262,6 @@ def _referee(
     """The frame that rules and the call, in the form that Rust accepts."""
     if frame is None:
         if call is not None:
-            raise InputError("call: a call needs a game; give frame too")
+            raise InputError("missing", "call", "a call needs a game", "give frame too")
         return None
     return core("frame", frame, _core.Frame, "carom.Frame.of_shot(...)"), fields_of(call)

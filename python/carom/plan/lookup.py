@@ -55,7 +55,9 @@ def ball_index(shot: carom.Shot, ball: str) -> int:
     """
     ids = core_of(shot).ids
     if text("ball", ball, "its id") not in ids:
-        raise InputError(f"ball: there is no {ball!r}; write one of {', '.join(ids)}")
+        raise InputError(
+            "unknown-ball", "ball", f"there is no {ball!r}", f"write one of {', '.join(ids)}"
+        )
     return ids.index(ball)
 
 
@@ -79,4 +81,4 @@ def pocket_index(shot: carom.Shot, pocket: str) -> int:
 def no_such_pocket(pocket: str, names: Sequence[str]) -> InputError:
     """The error for an unknown pocket of a table with these pockets."""
     remedy = f"write one of {', '.join(names)}" if names else "choose a table with pockets"
-    return InputError(f"pocket: there is no {pocket!r}; {remedy}")
+    return InputError("unknown-name", "pocket", f"there is no {pocket!r}", remedy)

@@ -191,7 +191,9 @@ def pot_map(
     sampling = Sampling(noise, perception, seed, whole("n", n, low=1), precision, level)
     width, length = core_of(shot).geometry()["size"]
     if width is None or length is None:
-        raise InputError("table: the cloth has no cushions; choose a table with cushions")
+        raise InputError(
+            "unsupported", "table", "the cloth has no cushions", "choose a table with cushions"
+        )
     rows = max(1, round(columns * length / width))
     with stage_bars(["cells"], show=progress) as report:
         chance, low, high, counted, azimuth = _core.pot_map(
@@ -244,7 +246,9 @@ def position_map(
     try:
         sides, heights = np.broadcast_arrays(flat("side", side), flat("height", height))
     except ValueError:
-        raise InputError("side, height: shapes do not broadcast; make them agree") from None
+        raise InputError(
+            "wrong-count", "side, height", "shapes do not broadcast", "make them agree"
+        ) from None
     spins = np.stack([sides, heights], axis=1).tolist()
     with stage_bars(["strikes"], show=progress) as report:
         falls, azimuth, end = _core.position_map(

@@ -127,5 +127,7 @@ def _corners(butt: Any) -> tuple[tuple[float, ...], ...]:
     try:
         one, other = butt
     except (TypeError, ValueError):
-        raise InputError(f"butt: {butt!r} is not a rectangle; give ((x, y), (x, y)) in m") from None
+        raise InputError(
+            "wrong-type", "butt", f"{butt!r} is not a rectangle", "give ((x, y), (x, y)) in m"
+        ) from None
     return numbers("butt[0]", one, 2), numbers("butt[1]", other, 2)

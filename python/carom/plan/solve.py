@@ -183,7 +183,9 @@ def _disc(leave: tuple[Sequence[float], float]) -> tuple[tuple[float, float], fl
     try:
         center, radius = leave
     except (TypeError, ValueError):
-        raise InputError(f"leave: {leave!r} is not a disc; give ((x, y), radius) in m") from None
+        raise InputError(
+            "wrong-type", "leave", f"{leave!r} is not a disc", "give ((x, y), radius) in m"
+        ) from None
     x, y = numbers("leave[0]", center, 2)
     return (x, y), number("leave[1]", radius)
 

@@ -78,7 +78,10 @@ class Player:
             simulations = named or (MOST_SIMULATIONS if unlimited else USUAL_SIMULATIONS)
         elif ":" in name:
             raise InputError(
-                f"simulations: the name {name!r} has a number of them too; write only one"
+                "duplicate",
+                "simulations",
+                f"the name {name!r} has a number of them too",
+                "write only one",
             )
         self._thinking = Thinking(
             noise=self._usual_noise() if noise is None else noise,
@@ -204,9 +207,11 @@ def players() -> list[str]:
 def _frame_of(frame: Frame | Shot, game: str | None) -> Frame:
     if isinstance(frame, Shot):
         if game is None:
-            raise InputError('game: a shot has no game; give one, such as game="eight-ball"')
+            raise InputError(
+                "missing", "game", "a shot has no game", 'give one, such as game="eight-ball"'
+            )
         return Frame.of_shot(game, frame)
     instance("frame", frame, Frame, 'carom.Frame("nine-ball")')
     if game is not None:
-        raise InputError("game: the frame has a game; leave it out")
+        raise InputError("conflict", "game", "the frame has a game", "leave it out")
     return frame

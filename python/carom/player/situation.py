@@ -59,6 +59,8 @@ def answer_arguments(answer: Any) -> PlayArguments | str:
     if isinstance(answer, str):
         return answer
     raise InputError(
-        f"opponent: choose returned a {type(answer).__name__}; return a carom.Play, a "
-        'carom.Decision, the name of a choice, or "concede"'
+        "wrong-type",
+        "opponent",
+        f"choose returned a {type(answer).__name__}",
+        'return a carom.Play, a carom.Decision, the name of a choice, or "concede"',
     )

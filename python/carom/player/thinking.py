@@ -71,5 +71,7 @@ def seconds(name: str, value: float) -> float:
     found = number(name, value)
     # NaN is not above 0 either.
     if not 0 < found < float("inf"):
-        raise InputError(f"{name}: {value!r} is out of range; give a number of seconds above 0")
+        raise InputError(
+            "out-of-range", name, f"{value!r} is out of range", "give a number of seconds above 0"
+        )
     return found

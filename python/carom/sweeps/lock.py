@@ -64,7 +64,10 @@ def _remove(path: Path) -> None:
 
 def _refusal(folder: Path, more: str = "") -> InputError:
     return InputError(
-        f"{folder}: another run writes to it; wait until it ends, or choose another folder{more}"
+        "busy",
+        folder,
+        "another run writes to it",
+        f"wait until it ends, or choose another folder{more}",
     )
 
 

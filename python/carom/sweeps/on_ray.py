@@ -60,12 +60,18 @@ def _join(address: str, quiet: dict[str, Any]) -> None:
     except ConnectionError as error:
         if "InvalidAuthToken" in str(error.__cause__):
             remedy = "set RAY_AUTH_MODE=token and provide the token as Ray's manual describes"
-            raise InputError(f"address: {address!r} requires Ray's token; {remedy}") from None
+            raise InputError(
+                "system", "address", f"{address!r} requires Ray's token", remedy
+            ) from None
         remedy = "start one (ray start --head), or omit the address to start Ray on this machine"
-        raise InputError(f"address: no Ray cluster answers at {address!r}; {remedy}") from None
+        raise InputError(
+            "system", "address", f"no Ray cluster answers at {address!r}", remedy
+        ) from None
     except RuntimeError as error:
         # The cluster has another version of Ray or of Python.
-        raise InputError(f"address: {address!r} cannot be joined: {error}") from None
+        raise InputError(
+            "system", "address", f"{address!r} cannot be joined: {error}", ""
+        ) from None
 
 
 def _check_machines() -> None:
@@ -94,7 +100,7 @@ def _check_machines() -> None:
     for wrong in ray.get([answer.remote() for answer in answers]):
         if wrong:
             remedy = f"every machine needs carom[ray] {wanted}, or a runtime environment with it"
-            raise InputError(f"{wrong}; {remedy}")
+            raise InputError("mismatch", "", wrong, remedy)
 
 
 def _wake() -> None:
@@ -130,9 +136,11 @@ def write(player: RowPlayer, parts: Parts, missing: list[int]) -> Generator[Rece
             _check_version(version)
             _check_folder(marker)
             receipts = [asdict(_receipt(player, parts, part)) for part in batch["part"].to_pylist()]
-        except (InputError, OSError) as error:
-            # Returned as a value: Ray would add two pages of its own text to an exception.
-            refused = str(error)
+        # Returned as a value: Ray would add two pages of its own text to an exception.
+        except InputError as error:
+            refused = json.dumps([error.kind, error.place, error.fault, error.remedy])
+        except OSError as error:
+            refused = json.dumps(["system", "", str(error)])
         schema = pa.schema({"receipts": pa.string(), "refused": pa.string()})
         return pa.table({"receipts": [json.dumps(receipts)], "refused": [refused]}, schema=schema)
 
@@ -141,7 +149,7 @@ def write(player: RowPlayer, parts: Parts, missing: list[int]) -> Generator[Rece
     for batch in done.iter_batches(batch_size=None, batch_format="pyarrow", prefetch_batches=0):
         for answer in batch.to_pylist():
             if answer["refused"] is not None:
-                raise InputError(answer["refused"])
+                raise InputError(*json.loads(answer["refused"]))
             yield from (Receipt(**row) for row in json.loads(answer["receipts"]))
 
 
@@ -150,7 +158,10 @@ def _check_version(wanted: str) -> None:
     if __version__ != wanted:
         host = socket.gethostname()
         raise InputError(
-            f"{host} has carom {__version__}, but the run needs {wanted}; install that version"
+            "mismatch",
+            "",
+            f"{host} has carom {__version__}, but the run needs {wanted}",
+            "install that version",
         )
 
 
@@ -158,8 +169,10 @@ def _check_folder(marker: Path) -> None:
     """Reject a machine where the run's marker file is missing: its parts would be lost."""
     if not marker.exists():
         raise InputError(
-            f"{socket.gethostname()} has no access to {marker.parent}; "
-            "choose a folder that all machines of the cluster can reach under this path"
+            "system",
+            "",
+            f"{socket.gethostname()} has no access to {marker.parent}",
+            "choose a folder that all machines of the cluster can reach under this path",
         )
 
 
@@ -214,7 +227,9 @@ def _ray() -> Any:
             warnings.simplefilter("ignore")
             import ray
     except ImportError:
-        raise InputError("ray: Ray is not installed; run pip install 'carom[ray]'") from None
+        raise InputError(
+            "unsupported", "ray", "Ray is not installed", "run pip install 'carom[ray]'"
+        ) from None
     return ray
 
 

@@ -159,7 +159,7 @@ class Parts:
         try:
             found = pq.read_metadata(path)
         except (pa.ArrowInvalid, OSError) as error:
-            raise InputError(f"{path}: it cannot be read ({error}); {remedy}") from None
+            raise InputError("syntax", path, f"it cannot be read ({error})", remedy) from None
         said = found.metadata or {}
         start, stop = self.range(part)
         wanted = {
@@ -170,12 +170,18 @@ class Parts:
         same = all(said.get(key) == value.encode() for key, value in wanted.items())
         if not same or found.num_rows != stop - start:
             raise InputError(
-                f"{path}: it is not part {part} of this sweep; {remedy}, or choose another folder"
+                "mismatch",
+                path,
+                f"it is not part {part} of this sweep",
+                f"{remedy}, or choose another folder",
             )
         expected = _expected_digest(path)
         if expected is not None and expected != _digest(path):
             raise InputError(
-                f"{path}: its checksum is wrong, so it has changed since it was written; {remedy}"
+                "changed",
+                path,
+                "its checksum is wrong, so it has changed since it was written",
+                remedy,
             )
         failed = int(said[b"carom.sweep.failed"])
         size = path.stat().st_size
@@ -207,9 +213,11 @@ class Parts:
         found = pq.ParquetFile(self.path(part)).read(use_threads=False).slice(0, count)
         if not found.equals(play_rows(player, start, start + count)):
             raise InputError(
-                f"{self.path(part)}: its rows differ from those of this sweep, because the folder "
-                "has names of presets without a date, which may have had other values; choose "
-                "another folder"
+                "changed",
+                self.path(part),
+                "its rows differ from those of this sweep, because the folder has names of presets "
+                "without a date, which may have had other values",
+                "choose another folder",
             )
 
     def tidy(self) -> None:

@@ -96,7 +96,7 @@ class RowPlayer:
         if not isinstance(batch, pa.RecordBatch):
             kind = type(batch).__name__
             remedy = "give a pyarrow.RecordBatch, for example sweep.parameters(0, 10)"
-            raise InputError(f"batch: found a {kind}; {remedy}")
+            raise InputError("wrong-type", "batch", f"found a {kind}", remedy)
         batch = self._checked(batch)
         if len(batch) <= CHUNK:
             return self._play(batch)
@@ -123,7 +123,7 @@ class RowPlayer:
         schema = self.parameter_schema
         if batch.schema.names != schema.names:
             wanted, given = ", ".join(schema.names), ", ".join(batch.schema.names)
-            raise InputError(f"batch: its columns are {given}; give {wanted}")
+            raise InputError("wrong-count", "batch", f"its columns are {given}", f"give {wanted}")
         columns = []
         for field in schema:
             column = batch[field.name]
@@ -132,16 +132,20 @@ class RowPlayer:
                     column = column.cast(field.type)
                 except (pa.ArrowInvalid, pa.ArrowNotImplementedError):
                     what = f"{field.name} has the type {column.type}"
-                    raise InputError(f"batch: {what}; give {field.type}") from None
+                    raise InputError("wrong-type", "batch", what, f"give {field.type}") from None
             if field.name in ("row", "layout") and column.null_count:
-                raise InputError(f"batch: {field.name} has nulls; give whole numbers")
+                raise InputError(
+                    "missing", "batch", f"{field.name} has nulls", "give whole numbers"
+                )
             columns.append(column)
         checked = pa.RecordBatch.from_arrays(columns, names=schema.names)
         layout = _numpy(checked["layout"])
         if len(layout) and not (layout.min() >= 0 and layout.max() < len(self.layouts)):
             raise InputError(
-                f"batch: layout is out of range; give whole numbers from 0 to "
-                f"{len(self.layouts) - 1}"
+                "out-of-range",
+                "batch",
+                "layout is out of range",
+                f"give whole numbers from 0 to {len(self.layouts) - 1}",
             )
         return checked
 
@@ -178,9 +182,8 @@ class RowPlayer:
             if error is None:
                 return
             first = first or error
-        raise InputError(
-            f"no row can be simulated ({len(rows)} were tried); the first row: {first}"
-        )
+        fault = f"no row can be simulated ({len(rows)} were tried)"
+        raise InputError("no-play", "", fault, f"the first row: {first}")
 
     def __reduce__(self) -> tuple[type[RowPlayer], tuple[Spec]]:
         return (RowPlayer, (self.spec,))
@@ -372,6 +375,8 @@ def _values(parameter: Parameter, column: pa.Array) -> Any:
     for text in texts:
         if text not in by_text:
             known = ", ".join(by_text)
-            raise InputError(f"batch: {parameter.name} has {text!r}; give one of {known}")
+            raise InputError(
+                "unknown-name", "batch", f"{parameter.name} has {text!r}", f"give one of {known}"
+            )
     choices = [by_text[text] for text in texts]
     return choices, _numpy(column.indices.cast(pa.int32()))

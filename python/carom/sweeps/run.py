@@ -133,8 +133,10 @@ def _claimed(player: RowPlayer, folder: Path, part_rows: int | None) -> Iterator
         strangers = sorted(folder.glob("*.parquet"))
         if strangers:
             raise InputError(
-                f"{strangers[0]}: the file belongs to no sweep ({MANIFEST} is missing); "
-                "choose another folder"
+                "mismatch",
+                strangers[0],
+                f"the file belongs to no sweep ({MANIFEST} is missing)",
+                "choose another folder",
             )
         _check_count(player.spec.rows, part_rows or default_rows(player.spec.rows))
         player.check()
@@ -164,8 +166,10 @@ def _check_count(rows: int, part_rows: int) -> None:
     if rows > MOST_PARTS * part_rows:
         least = -(-rows // MOST_PARTS)
         raise InputError(
-            f"part_rows: {rows} rows in parts of {part_rows} are more than {MOST_PARTS} files; "
-            f"give part_rows ≥ {least}, or a sweep of fewer rows"
+            "out-of-range",
+            "part_rows",
+            f"{rows} rows in parts of {part_rows} are more than {MOST_PARTS} files",
+            f"give part_rows ≥ {least}, or a sweep of fewer rows",
         )
 
 
@@ -177,13 +181,15 @@ def _manifest(player: RowPlayer, manifest: Path, text: str, wanted: int | None) 
         sha256, version = said["sha256"], said["carom"]
         rows = whole("part_rows", said["part_rows"], low=1)
     except (ValueError, KeyError, TypeError):
-        raise InputError(f"{manifest}: it does not describe a sweep; {remedy}") from None
+        raise InputError("format", manifest, "it does not describe a sweep", remedy) from None
     if sha256 not in (player.spec.sha256, player.spec.undated_sha256):
-        raise InputError(f"{manifest}: the folder holds another sweep; {remedy}")
+        raise InputError("mismatch", manifest, "the folder holds another sweep", remedy)
     if version != __version__:
         what = f"the folder was begun by carom {version}, and this is {__version__}"
-        raise InputError(f"{manifest}: {what}, whose results may differ; {remedy}")
+        raise InputError("mismatch", manifest, f"{what}, whose results may differ", remedy)
     if wanted not in (None, rows):
         what = f"the folder has parts of {rows} rows, and part_rows is {wanted}"
-        raise InputError(f"{manifest}: {what}; leave part_rows out, or choose another folder")
+        raise InputError(
+            "mismatch", manifest, what, "leave part_rows out, or choose another folder"
+        )
     return rows, sha256

@@ -8,7 +8,7 @@ import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, Literal, NoReturn
+from typing import Any, Literal
 
 from carom import _core
 from carom.errors import InputError
@@ -216,7 +216,12 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
     _core.check_keys(dict.fromkeys(plain), "", _KEYS)
     found = dict(plain)
     if "shots" not in found:
-        _refuse("shots", "the key is missing", "write a shot, the name of its file, or a list")
+        raise InputError(
+            "missing",
+            "shots",
+            "the key is missing",
+            "write a shot, the name of its file, or a list",
+        )
     layouts = _layouts(found["shots"], folder)
     given = found.get("vary", {})
     vary = dated.vary(given)
@@ -231,7 +236,9 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
     noise = None if found.get("noise") is None else _noise(found["noise"])
     variants = _core.read_whole(found.get("variants", 1), "variants", 1, _LARGEST)
     if noise is None and variants > 1:
-        _refuse("variants", "without noise all variants would be equal", "write `noise`")
+        raise InputError(
+            "conflict", "variants", "without noise all variants would be equal", "write `noise`"
+        )
     paired = found.get("paired", False)
     if not isinstance(paired, bool):
         _core.wrong_type(paired, "paired", "true or false")
@@ -268,12 +275,8 @@ def load(file: Mapping[str, Any], folder: Path) -> Spec:
     if spec.rows > _LARGEST:
         what = f"the table would have {spec.rows} rows"
         remedy = f"vary fewer parameters or take fewer steps (at most {_LARGEST} rows)"
-        _refuse("vary", what, remedy)
+        raise InputError("out-of-range", "vary", what, remedy)
     return spec
-
-
-def _refuse(place: str, what: str, remedy: str) -> NoReturn:
-    raise InputError(f"{place}: {what}; {remedy}")
 
 
 def _fields(place: str, value: Any, known: tuple[str, ...]) -> dict[str, Any]:
@@ -286,7 +289,9 @@ def _numbers(place: str, value: Any) -> tuple[float, ...]:
     """One finite number, or a list of them."""
     if isinstance(value, list | tuple):
         if not value:
-            _refuse(place, "found an empty list", "write at least one number")
+            raise InputError(
+                "wrong-count", place, "found an empty list", "write at least one number"
+            )
         return tuple(_core.read_number(x, f"{place}[{i}]") for i, x in enumerate(value))
     return (_core.read_number(value, place),)
 
@@ -309,7 +314,7 @@ def _plain(file: Any) -> Any:
 def _layouts(value: Any, folder: Path) -> tuple[Shot, ...]:
     if isinstance(value, list | tuple):
         if not value:
-            _refuse("shots", "the list is empty", "write at least one shot")
+            raise InputError("wrong-count", "shots", "the list is empty", "write at least one shot")
         items = [(f"shots[{i}]", item) for i, item in enumerate(value)]
     else:
         items = [("shots", value)]
@@ -318,9 +323,9 @@ def _layouts(value: Any, folder: Path) -> tuple[Shot, ...]:
         try:
             found += _shots(place, item, folder)
         except InputError as error:
-            if str(error).startswith(place):
+            if error.place.startswith(place):
                 raise
-            raise InputError(f"{place}: {error}") from None
+            raise error.inside(place, ": ") from None
     return tuple(found)
 
 
@@ -332,7 +337,12 @@ def _shots(place: str, item: Any, folder: Path) -> list[Shot]:
             return [Shot.load(folder / item)]
         names = sorted(folder.glob(item))
         if not names:
-            _refuse(place, f'no file matches "{item}"', f"give a path relative to {folder}")
+            raise InputError(
+                "unknown-name",
+                place,
+                f'no file matches "{item}"',
+                f"give a path relative to {folder}",
+            )
         return [Shot.load(name) for name in names]
     if isinstance(item, Mapping):
         return [Shot.from_dict(item)]
@@ -346,18 +356,23 @@ def _parameters(vary: Any) -> tuple[Parameter, ...]:
     for path, how in vary.items():
         place = f"vary.{path}"
         if not isinstance(path, str):
-            _refuse(place, "the path is not a string", "write one such as strike.speed")
+            raise InputError(
+                "wrong-type", place, "the path is not a string", "write one such as strike.speed"
+            )
         _check_path(place, path)
         parameter = _parameter(place, path, how)
         for other in found:
             if other.name == parameter.name:
-                _refuse(
+                raise InputError(
+                    "duplicate",
                     place,
                     f'its column would be "{other.name}", like that of {other.path}',
                     'give it another "name"',
                 )
             if re.match(re.escape(path) + r"[.\[]", other.path):
-                _refuse(place, f"it would overwrite {other.path}", "write it before that")
+                raise InputError(
+                    "conflict", place, f"it would overwrite {other.path}", "write it before that"
+                )
         found.append(parameter)
     return tuple(found)
 
@@ -368,7 +383,8 @@ def _check_path(place: str, path: str) -> None:
     if head not in tops:
         _core.unknown_word(head, place, "key of a shot file", tops)
     if path == "balls" or re.fullmatch(r"balls[.\[][^.\[]+\]?(\.id)?", path):
-        _refuse(
+        raise InputError(
+            "conflict",
             place,
             "the ids of the balls cannot vary",
             "write the layouts in `shots`, or vary balls.ID.position",
@@ -386,11 +402,15 @@ def _parameter(place: str, path: str, how: Any) -> Parameter:
     if not isinstance(name, str) or not re.fullmatch(r"[A-Za-z]\w*", name, re.ASCII):
         _core.wrong_type(name, f"{place}.name", "letters, digits and _")
     if name in (*_TAKEN, *OUTCOMES):
-        _refuse(place, f'the table already has a column "{name}"', 'give it another "name"')
+        raise InputError(
+            "duplicate", place, f'the table already has a column "{name}"', 'give it another "name"'
+        )
     parameter = _how(place, path, name, relative, found)
     if relative and (path.removeprefix("strike.") not in STRIKE or parameter.kind != "number"):
         what = "only a strike's numbers can vary relative to the layout's own"
-        _refuse(f"{place}.relative", what, f"write strike.{', strike.'.join(STRIKE)}")
+        raise InputError(
+            "conflict", f"{place}.relative", what, f"write strike.{', strike.'.join(STRIKE)}"
+        )
     return parameter
 
 
@@ -403,7 +423,9 @@ def _how(place: str, path: str, name: str, relative: bool, found: dict[str, Any]
         count = _core.read_whole(found["count"], f"{place}.count", 1, _MOST_STEPS)
         return Grid(path, name, "number", relative, steps=(*ends, count))
     if len(found) != 1 or not set(found).isdisjoint(_STEPS):
-        _refuse(place, "not exactly one way to vary it", f"write one of {_WAYS}")
+        raise InputError(
+            "wrong-count", place, "not exactly one way to vary it", f"write one of {_WAYS}"
+        )
     ((way, value),) = found.items()
     at = f"{place}.{way}"
     if way in ("grid", "choice"):
@@ -424,15 +446,29 @@ def _drawn(place: str, way: str, value: Any) -> tuple[Kind, tuple[float, ...], t
     if way == "normal" and not isinstance(value[1], list | tuple):
         b = b * len(a)
     if len(a) != len(b):
-        _refuse(place, f"found {len(a)} and {len(b)} numbers", "write two lists of one length")
+        raise InputError(
+            "wrong-count",
+            place,
+            f"found {len(a)} and {len(b)} numbers",
+            "write two lists of one length",
+        )
     for i, (low, high) in enumerate(zip(a, b, strict=True)):
         at = f"{place}[1]" if kind == "number" else f"{place}[1][{i}]"
         if way == "normal" and high < 0:
-            _refuse(at, f"{high!r} is not a standard deviation", "write a number ≥ 0")
+            raise InputError(
+                "out-of-range", at, f"{high!r} is not a standard deviation", "write a number ≥ 0"
+            )
         if way != "normal" and high < low:
-            _refuse(at, f"{high!r} is less than {low!r}", "write the smaller number first")
+            raise InputError(
+                "out-of-range",
+                at,
+                f"{high!r} is less than {low!r}",
+                "write the smaller number first",
+            )
         if way == "log_uniform" and low <= 0:
-            _refuse(f"{place}[0]", f"{low!r} has no logarithm", "write a number > 0")
+            raise InputError(
+                "out-of-range", f"{place}[0]", f"{low!r} has no logarithm", "write a number > 0"
+            )
     return kind, a, b
 
 
@@ -447,7 +483,7 @@ def _values(place: str, value: Any) -> tuple[Kind, tuple[Any, ...]]:
         return "list", tuple(_numbers(f"{place}[{i}]", x) for i, x in enumerate(values))
     texts = [as_text(x) for x in values]
     if len(set(texts)) < len(texts):
-        _refuse(place, "a value occurs twice", "keep one of them")
+        raise InputError("duplicate", place, "a value occurs twice", "keep one of them")
     return "choice", values
 
 
@@ -469,9 +505,13 @@ def _samples(found: Mapping[str, Any], parameters: tuple[Parameter, ...]) -> int
     drawn = [p.path for p in parameters if isinstance(p, Draw)]
     samples = _core.read_whole(found.get("samples", 1), "samples", 1, _LARGEST)
     if drawn and "samples" not in found:
-        _refuse("samples", f"the key is missing, and {drawn[0]} is drawn", "write a number")
+        raise InputError(
+            "missing", "samples", f"the key is missing, and {drawn[0]} is drawn", "write a number"
+        )
     if not drawn and samples > 1:
-        _refuse("samples", "nothing is drawn", "leave it out, or draw a parameter in `vary`")
+        raise InputError(
+            "conflict", "samples", "nothing is drawn", "leave it out, or draw a parameter in `vary`"
+        )
     return samples
 
 
@@ -487,7 +527,9 @@ def _noise(written: Any) -> Noise:
         x = _core.read_number(value, f"noise.{key}")
         new = _OLD_SIGMAS.get(key, key)
         if new != key and new in given:
-            _refuse(f"noise.{key}", f"{new} gives the same number", f"keep only {new}")
+            raise InputError(
+                "duplicate", f"noise.{key}", f"{new} gives the same number", f"keep only {new}"
+            )
         numbers[new.removesuffix("_deg")] = x * RADIANS if key.endswith("_deg") else x
     return Noise(**numbers, **rows)
 
@@ -505,7 +547,7 @@ def _check_strikes(
     for i, shot in enumerate(layouts):
         if shot.azimuth is None:
             what = f"the shot has no strike, but {struck[0] if struck else 'noise'} needs one"
-            _refuse(f"shots[{i}]", what, "add a strike to the shot")
+            raise InputError("no-strike", f"shots[{i}]", what, "add a strike to the shot")
 
 
 def _columns(value: Any) -> tuple[str, ...]:

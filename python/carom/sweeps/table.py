@@ -185,11 +185,16 @@ class Sweep:
         end = rows if stop is None else whole("stop", stop, rows + 1)
         start = whole("start", start, rows + 1)
         if start > end:
-            raise InputError(f"start: {start} is greater than stop, {end}; give start ≤ stop")
+            raise InputError(
+                "out-of-range", "start", f"{start} is greater than stop, {end}", "give start ≤ stop"
+            )
         if end - start > MOST_ROWS_IN_MEMORY:
             raise InputError(
-                f"stop: rows {start} to {end} are too many for memory; take at most "
-                f"{MOST_ROWS_IN_MEMORY} rows at once, or write them to a folder with Sweep.run"
+                "out-of-range",
+                "stop",
+                f"rows {start} to {end} are too many for memory",
+                f"take at most {MOST_ROWS_IN_MEMORY} rows at once, or write them to a folder with "
+                "Sweep.run",
             )
         return start, end
 
@@ -222,4 +227,6 @@ def _sweep_of(spec: Any) -> Sweep:
     if isinstance(spec, str | os.PathLike):
         return Sweep.load(spec)
     found = type(spec).__name__
-    raise InputError(f"spec: found a {found}; give a Sweep, a dict, or the path of a file")
+    raise InputError(
+        "wrong-type", "spec", f"found a {found}", "give a Sweep, a dict, or the path of a file"
+    )

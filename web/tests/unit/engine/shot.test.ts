@@ -53,7 +53,9 @@ describe("a refusal names the place and the remedy", () => {
     const trace = engine.traceToCap(error);
     expect([trace.events.length, trace.end, trace.outcome.events]).toEqual([10, "cap", 10]);
     expect(engine.trace(trace.json()).hash).toBe(trace.hash);
-    expect(refusal(() => engine.traceToCap(new CaromError({ kind: "other", fault: "no" }))).message).toMatch(/simulate/);
+    expect(
+      refusal(() => engine.traceToCap(new CaromError({ kind: "other", fault: "no" }))).message,
+    ).toMatch(/simulate/);
   });
 
   // Seen: "raise the cap, or report", and nothing of what was computed, for motion without an end.
