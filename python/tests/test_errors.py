@@ -41,7 +41,7 @@ def changed_trace() -> carom.Trace:
 
 def played(game: str) -> carom.Frame:
     """A frame whose cue ball is not in hand."""
-    frame = carom.Frame.of_shot(game, shot())
+    frame = carom.Frame.of_shot(game, shot({"id": "9"}))
     assert frame.request["in_hand"] is None
     return frame
 
@@ -59,7 +59,7 @@ def replayed(*moves: Any) -> carom.Frame:
 CASES: dict[str, Callable[[], Any]] = {
     "syntax": lambda: carom.Shot.from_json("{"),
     "format": lambda: shot(format="carom-trace/1"),
-    "missing": lambda: shot(balls=[{"id": "cue"}]) and None,
+    "missing": lambda: carom.Shot.from_dict(FILE | {"balls": [{"id": "cue"}]}),
     "unknown-key": lambda: shot(wind=3),
     "wrong-type": lambda: shot(table=3),
     "unknown-name": lambda: carom.break_shot("croquet"),
@@ -100,7 +100,10 @@ CASES: dict[str, Callable[[], Any]] = {
     "too-many-events": lambda: shot(max_events=2).simulate(),
     "frame-over": lambda: over().concede(),
     "not-a-move": lambda: replayed({}),
-    "not-called": lambda: played("nine-ball").play(STRIKE, call=carom.Call("safety")),
+    "not-called": lambda: played("nine-ball").play(
+        STRIKE, call=carom.Call("pocket", "9", "top-left")
+    ),
+    "no-safety": lambda: played("nine-ball").play(STRIKE, call=carom.Call("safety")),
     "no-push-out": lambda: played("nine-ball").play(STRIKE, call=carom.Call("push-out")),
     "not-in-hand": lambda: played("nine-ball").play(STRIKE, cue_ball=(0.5, 0.5)),
     "outside-region": lambda: carom.Frame("nine-ball").play(STRIKE, cue_ball=(0.6, 2.0)),
