@@ -1,7 +1,7 @@
 //! The engine's errors as the exceptions of `carom.errors`.
 
 use carom::ShotFile;
-use carom::error::{Error, ErrorDetail, ErrorKind, InputError as InputErrorParts};
+use carom::error::{Error, ErrorDetail, InputError as InputErrorParts};
 use carom_arena::ArenaError;
 use pyo3::IntoPyObjectExt;
 use pyo3::exceptions::PyOSError;
@@ -52,11 +52,6 @@ pub(crate) fn to_exception(py: Python<'_>, error: &Error) -> PyErr {
         }
         other => CaromError::new_err(other.to_string()),
     }
-}
-
-/// The exception for bad input that is found here.
-pub(crate) fn refuse(kind: ErrorKind, place: &str, what: &str, remedy: &str) -> PyErr {
-    InputError::new_err((kind.name(), place.to_owned(), what.to_owned(), remedy.to_owned()))
 }
 
 /// The exception for an error of a match: Python's own for a file.

@@ -8,7 +8,7 @@ use pyo3::types::{
     PyMapping, PySet, PyString,
 };
 
-use crate::error::refuse;
+use crate::exceptions::refuse;
 
 /// Deepest nesting that is accepted. No format nests deeper; a list that contains itself would.
 const DEEPEST: usize = 32;

@@ -6,7 +6,8 @@ use carom::{ErrorKind, Table, edition};
 use carom_rules::GameFacts;
 use pyo3::prelude::*;
 
-use crate::error::{refuse, to_exception};
+use crate::error::to_exception;
+use crate::exceptions::refuse;
 use crate::node::{from_python, to_python};
 use crate::shot::Shot;
 

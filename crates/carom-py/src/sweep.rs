@@ -10,7 +10,8 @@ use numpy::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::error::{refuse, to_exception};
+use crate::error::to_exception;
+use crate::exceptions::refuse;
 use crate::json;
 use crate::node::{from_python, to_python};
 use crate::options::NoiseOptions;
