@@ -182,7 +182,7 @@ class Frame:
                 frame = cls(**setup)
         except TypeError as error:
             raise InputError(
-                "unknown-key", "setup", error, "give the value of Frame.record"
+                "unknown-key", "setup", str(error), "give the value of Frame.record"
             ) from None
         for index, move in enumerate(moves):
             if frame._is_applied(move, moves[index - 1] if index else None):
@@ -223,7 +223,7 @@ class Frame:
                     self._play(arguments, call, None, 0)
                 except TypeError as error:
                     raise InputError(
-                        "unknown-key", "play", error, "give the value of Frame.record"
+                        "unknown-key", "play", str(error), "give the value of Frame.record"
                     ) from None
             case {"choice": choice}:
                 self.choose(choice)

@@ -65,7 +65,7 @@ def _remove(path: Path) -> None:
 def _refusal(folder: Path, more: str = "") -> InputError:
     return InputError(
         "busy",
-        folder,
+        str(folder),
         "another run writes to it",
         f"wait until it ends, or choose another folder{more}",
     )

@@ -159,7 +159,7 @@ class Parts:
         try:
             found = pq.read_metadata(path)
         except (pa.ArrowInvalid, OSError) as error:
-            raise InputError("syntax", path, f"it cannot be read ({error})", remedy) from None
+            raise InputError("syntax", str(path), f"it cannot be read ({error})", remedy) from None
         said = found.metadata or {}
         start, stop = self.range(part)
         wanted = {
@@ -171,7 +171,7 @@ class Parts:
         if not same or found.num_rows != stop - start:
             raise InputError(
                 "mismatch",
-                path,
+                str(path),
                 f"it is not part {part} of this sweep",
                 f"{remedy}, or choose another folder",
             )
@@ -179,7 +179,7 @@ class Parts:
         if expected is not None and expected != _digest(path):
             raise InputError(
                 "changed",
-                path,
+                str(path),
                 "its checksum is wrong, so it has changed since it was written",
                 remedy,
             )
@@ -214,7 +214,7 @@ class Parts:
         if not found.equals(play_rows(player, start, start + count)):
             raise InputError(
                 "changed",
-                self.path(part),
+                str(self.path(part)),
                 "its rows differ from those of this sweep, because the folder has names of presets "
                 "without a date, which may have had other values",
                 "choose another folder",

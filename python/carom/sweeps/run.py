@@ -134,7 +134,7 @@ def _claimed(player: RowPlayer, folder: Path, part_rows: int | None) -> Iterator
         if strangers:
             raise InputError(
                 "mismatch",
-                strangers[0],
+                str(strangers[0]),
                 f"the file belongs to no sweep ({MANIFEST} is missing)",
                 "choose another folder",
             )
@@ -181,15 +181,15 @@ def _manifest(player: RowPlayer, manifest: Path, text: str, wanted: int | None) 
         sha256, version = said["sha256"], said["carom"]
         rows = whole("part_rows", said["part_rows"], low=1)
     except (ValueError, KeyError, TypeError):
-        raise InputError("format", manifest, "it does not describe a sweep", remedy) from None
+        raise InputError("format", str(manifest), "it does not describe a sweep", remedy) from None
     if sha256 not in (player.spec.sha256, player.spec.undated_sha256):
-        raise InputError("mismatch", manifest, "the folder holds another sweep", remedy)
+        raise InputError("mismatch", str(manifest), "the folder holds another sweep", remedy)
     if version != __version__:
         what = f"the folder was begun by carom {version}, and this is {__version__}"
-        raise InputError("mismatch", manifest, f"{what}, whose results may differ", remedy)
+        raise InputError("mismatch", str(manifest), f"{what}, whose results may differ", remedy)
     if wanted not in (None, rows):
         what = f"the folder has parts of {rows} rows, and part_rows is {wanted}"
         raise InputError(
-            "mismatch", manifest, what, "leave part_rows out, or choose another folder"
+            "mismatch", str(manifest), what, "leave part_rows out, or choose another folder"
         )
     return rows, sha256

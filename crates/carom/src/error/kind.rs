@@ -56,7 +56,7 @@ kinds! {
     Changed "changed" [] "A record has other results or another hash than the engine computes."
     WrongTable "wrong-table" [] "A description does not make a table."
     // Circumstances.
-    Unsupported "unsupported" [] "The table, the game, the player or this build does not have what is asked for."
+    Unsupported "unsupported" [] "The table, the game, the player or this build cannot do it."
     WrongState "wrong-state" [] "It cannot be asked at this time, or of this frame."
     Busy "busy" [] "Another program or thread is using it."
     Stopped "stopped" [] "The work was stopped, or came too late."
@@ -70,7 +70,7 @@ kinds! {
     OutsideTable "outside-table" [] "A ball is outside the table, or beyond its rails."
     InSlate "in-slate" [] "A ball is inside the slate."
     WrongRadius "wrong-radius" [] "A ball of this radius does not suit the table."
-    NoRoom "no-room" [] "There is no room for so many balls."
+    NoRoom "no-room" [] "There is no room for this number of balls."
     Moving "moving" ["ball"] "A ball moves that must be at rest."
     NotOnCloth "not-on-cloth" ["ball"] "A ball is in the air that must lie on the cloth."
     NoStrike "no-strike" [] "The shot has no strike."
