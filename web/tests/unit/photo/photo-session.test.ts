@@ -124,7 +124,7 @@ test("every table with rails has a tray with a cue ball first", () => {
   for (const geometry of engine.tables) {
     const tray = trayOf(engine, geometry);
     expect(tray[0], geometry.name!).toBe("cue");
-    const most = geometry.pockets.length === 0 ? 3 : geometry.physics?.startsWith("sn") ? 22 : 16;
+    const most = geometry.pockets.length === 0 ? 4 : geometry.physics?.startsWith("sn") ? 22 : 16;
     expect(tray, geometry.name!).toHaveLength(most);
   }
 });
