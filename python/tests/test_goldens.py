@@ -105,7 +105,7 @@ def test_a_record_names_its_engine_and_an_older_one_is_readable() -> None:
     assert carom.Frame.replay(without).hash == frame.hash
     moves = [{"choice": "play-on"}]
     with pytest.raises(
-        carom.InputError, match=r"^moves\[0\]: .*made by carom 0\.0\.1, and this is"
+        carom.InputError, match=r"^moves\[0\]\.choice: .*made by carom 0\.0\.1, and this is"
     ):
         carom.Frame.replay({**record, "engine": "carom 0.0.1", "moves": moves})
     with pytest.raises(carom.InputError) as error:

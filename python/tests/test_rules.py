@@ -273,7 +273,7 @@ def test_the_cling_of_a_record_is_played_again() -> None:
     before.play(strike)
     assert carom.Frame.replay(without).balls == before.balls != frame.balls
     without["moves"][0]["play"]["cling"] = {"contacts": [256]}
-    with pytest.raises(carom.InputError, match=r"^moves\[0\]: cling\.contacts\[0\]: 256 is out"):
+    with pytest.raises(carom.InputError, match=r"^moves\[0\]\.cling\.contacts\[0\]: 256 is out"):
         carom.Frame.replay(without)
 
 
@@ -313,7 +313,7 @@ def test_refused_moves_are_not_recorded() -> None:
         (lambda record: record["moves"].append({}), r"moves\[4\]"),
         (lambda record: record["moves"][0]["play"].update(spin=1), r"moves\[0\]\.play\.spin"),
         (lambda record: record["moves"][0].update(because=1), r"moves\[0\]\.because"),
-        (lambda record: record["moves"][0]["play"]["strike"].pop("speed"), r"moves\[0\]: play"),
+        (lambda record: record["moves"][0]["play"]["strike"].pop("speed"), r"moves\[0\]\.play"),
     ],
 )
 def test_a_damaged_record_is_refused_with_the_place(
@@ -353,7 +353,7 @@ def test_a_record_with_the_old_choice_after_a_scratch_on_the_eight_ball_break_re
     assert again.record == frame.record
     # It is skipped only there.
     for moves, index in (([choice, *frame.record["moves"]], 0), ([*old["moves"], choice], 2)):
-        with pytest.raises(carom.InputError, match=rf"^moves\[{index}\]: choice"):
+        with pytest.raises(carom.InputError, match=rf"^moves\[{index}\]\.choice"):
             carom.Frame.replay(old | {"moves": moves})
 
 

@@ -66,6 +66,10 @@ state_bytes!(struct FourBall { innings });
 impl FourBall {
     /// Puts balls that left the table back where they were racked, or as near as possible.
     fn spot(state: &mut FrameState, balls: &[BallIndex]) {
+        // A fresh rack allocates.
+        if balls.is_empty() {
+            return;
+        }
         let fresh = state.fresh_rack();
         let FrameState { base, layout, ruling, .. } = state;
         for &ball in balls {
