@@ -159,7 +159,7 @@ test("every game can be racked on its table", async ({ open }) => {
     await page.locator("#panel-layout").getByLabel("Game").selectOption(game);
     await page.getByRole("button", { name: "Rack", exact: true }).click();
     await settled(page);
-    const name = game === "straight-pool" ? "straight pool" : game;
+    const name = game.startsWith("straight-") ? game.replace("-", " ") : game;
     expect(await page.evaluate(() => window.carom!.store.undoLabel)).toBe(`rack ${name}`);
   }
 });

@@ -51,11 +51,11 @@ impl Innings {
     /// Begins an inning of `seat` in the starting position, in which `red` must be hit first.
     pub(crate) fn start(&mut self, seat: Seat, red: BallIndex) -> Request {
         self.begun[seat] += 1;
-        self.from_start(seat, red)
+        self.begin_again(seat, red)
     }
 
     /// The shot from the starting position: `red` must be hit first and directly (article 23).
-    pub(crate) fn from_start(&mut self, seat: Seat, red: BallIndex) -> Request {
+    pub(crate) fn begin_again(&mut self, seat: Seat, red: BallIndex) -> Request {
         self.is_opening = true;
         turn(seat, BallList::from(&[red][..]))
     }

@@ -114,7 +114,7 @@ impl GameRules for StraightRail {
         }
         if !shot.outcome.off_table.is_empty() {
             innings::starting_position(state, opponent);
-            return self.innings.from_start(opponent, RED);
+            return self.innings.begin_again(opponent, RED);
         }
         innings::next(state, opponent)
     }
@@ -122,7 +122,7 @@ impl GameRules for StraightRail {
     fn choose(&mut self, state: &mut FrameState, seat: Seat, choice: Choice) -> Request {
         if choice == Choice::SpotFrozen {
             innings::starting_position(state, seat);
-            return self.innings.from_start(seat, RED);
+            return self.innings.begin_again(seat, RED);
         }
         innings::turn(seat, Default::default())
     }
