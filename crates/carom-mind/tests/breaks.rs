@@ -125,7 +125,7 @@ fn a_break_that_is_mostly_a_foul_is_below_the_others() {
 #[test]
 fn a_small_budget_plays_the_known_break_itself() {
     for game in Game::ALL {
-        // Nobody has searched an opening of four-ball yet: it is searched in every rack.
+        // Four-ball has no stored opening: it is searched in every rack.
         if game == Game::FourBall {
             continue;
         }

@@ -80,7 +80,7 @@ test.each(engine.ruleSets.filter((rules) => rules !== "practice"))(
       expect(play).not.toBeNull();
       playMove(store, context, play!);
       const last = standing(store, engine)!.steps.at(-1)!;
-      // In these games a shot that hits no ball scores nothing, but is no foul.
+      // In these games a shot that hits no ball is legal and scores nothing.
       expect(last.ruling.legal).toBe(["three-cushion", "straight-rail"].includes(rules));
       expect(last.after.request).toMatchObject({ player: 1 - request.player });
     }
