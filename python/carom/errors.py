@@ -46,9 +46,10 @@ class InputError(CaromError, ValueError):
         self.remedy = remedy
         self.details = dict(details or {})
 
-    def at(self, place: str) -> InputError:
-        """The same error at another place."""
-        return InputError(self.kind, place, self.fault, self.remedy, self.details)
+    def at(self, place: str, remedy: str | None = None) -> InputError:
+        """The same error at another place, with another remedy if one is given."""
+        remedy = self.remedy if remedy is None else remedy
+        return InputError(self.kind, place, self.fault, remedy, self.details)
 
     def inside(self, place: str, separator: str = ".") -> InputError:
         """The same error with its place inside another one."""

@@ -190,9 +190,8 @@ class Frame:
             try:
                 frame._make(move)
             except InputError as error:
-                moved = error.inside(f"moves[{index}]")
-                moved.remedy += _other_engine(record)
-                raise moved.at(moved.place) from None
+                place = error.inside(f"moves[{index}]").place
+                raise error.at(place, error.remedy + _other_engine(record)) from None
         return frame
 
     def _is_applied(self, move: Any, previous: Any) -> bool:

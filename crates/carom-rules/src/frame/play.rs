@@ -166,9 +166,9 @@ impl Frame {
         if !region.holds(self.state.base.table(), place) {
             let table = self.state.base.table();
             let what = format!("[{:?}, {:?}] is not {}", place[0], place[1], region.words());
-            let refused =
-                wrong(ErrorKind::OutsideRegion, what, &format!("put it {}", region.limits(table)));
-            return refused.map_err(|error| error.with("region", region.name()));
+            let remedy = format!("put it {}", region.limits(table));
+            let error = ErrorKind::OutsideRegion.at("cue_ball", what, remedy);
+            return Err(error.with("region", region.name()));
         }
         // A cue ball that is not moved may stay where it lies, even if it touches another ball.
         if put.is_some() && !self.state.layout.is_free(turn.cue, place) {
