@@ -24,7 +24,7 @@ pub struct BreakShot {
     pub behind: f64,
     /// How far to the right of the first ball's centre the line of aim passes, in ball radii; 0 is a
     /// full hit. The first ball is the one of the balls on that is nearest to the middle of the
-    /// region's line: the apex of a rack, and in three-cushion the red.
+    /// region's line: the apex of a rack, and in carom games a red.
     pub aim: f64,
     /// Speed of the cue, m/s.
     pub speed: f64,

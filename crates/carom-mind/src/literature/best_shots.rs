@@ -81,7 +81,7 @@ impl Value for BestShots {
     }
 
     /// The promise of the player at the table stands for its probability of winning. Positions
-    /// without pots on the table (openings, three-cushion) are valued by the Markov chain.
+    /// without pots on the table (openings, carom games) are valued by the Markov chain.
     fn of_shot(&self, position: &Position<'_>, turn: &Turn) -> f64 {
         let frame: &Frame = position.frame;
         if frame.is_opening() || frame.facts().is_carom() {

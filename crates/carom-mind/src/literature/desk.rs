@@ -3,7 +3,7 @@
 //! The papers describe how their players choose a pot in eight-ball. Everything else that a referee
 //! can ask is answered here, in the same way for all of them: choices and safeties by the player's
 //! own value of positions, places for a ball in hand by geometry, breaks by a fixed strike, and
-//! three-cushion by a search over directions. **Guess:** all of this file; the papers leave it open.
+//! carom games by a search over directions. **Guess:** all of this file; the papers leave it open.
 
 use std::sync::Arc;
 
@@ -198,7 +198,7 @@ pub(crate) fn anything(desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error
     Ok(toward_nearest(desk, prepared, HOPELESS_SPEED, 0.0).unwrap_or_else(hopeless))
 }
 
-/// The most promising carom of three-cushion.
+/// The most promising carom.
 pub(crate) fn carom(desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
     let most = desk.budget.simulations.max(LEAST_CAROM_PLAYS);
     let mut explorer = Explorer::new(desk.task());

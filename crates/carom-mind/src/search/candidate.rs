@@ -21,7 +21,7 @@ pub enum PlayKind {
     Indirect,
     /// To leave the other player a difficult shot.
     Safety,
-    /// To score with the cue ball (three-cushion).
+    /// To score with the cue ball (carom games).
     Carom,
     /// To break.
     Break,

@@ -7,13 +7,13 @@
 //! Searcher::search ── what is asked (task), and the places of a cue ball in hand (hand)
 //!   │
 //!   ▼ FIRST ROUND: S simulations                                                           (rounds)
-//!   │   S = 300, × 3 in hand or with push-outs, × 5 for an opening or three-cushion; at least R/10, up to 2000
+//!   │   S = 300, × 3 in hand or with push-outs, × 5 for an opening or in carom games; at least R/10, up to 2000
 //!   │
 //!   ├─ opening shot only: a known break and its variants, or a search of breaks   (openings, break_search)
 //!   ├─ explore: 0.6 S
 //!   │    pots       0.75 of it: a lattice of strikes on each line to a pocket           (pots, crate::line)
 //!   │    safeties   the rest of it, unless a pot is worth 0.97                                   (safeties)
-//!   │    caroms     all of it, in three-cushion                                                    (caroms)
+//!   │    caroms     all of it, in carom games                                                      (caroms)
 //!   │    push-outs  300 more where they are allowed; any shot at all: 600 more if nothing was found
 //!   ├─ select: the best 48, or S/24 if that is more                                                  (select)
 //!   ├─ race: the rest of S. All are played with the same errors, the worse half drops out   (race, even_errors)

@@ -43,7 +43,7 @@ const FIRST_SHARE: u64 = 10;
 const MOST_FIRST: u64 = 2000;
 const LIMITED: u64 = 1 << 40;
 /// Factors of the first round's simulations: where there are more plays, with the cue ball in hand or with
-/// push-outs; and for opening shots and three-cushion, where later rounds find nothing that is not near a play
+/// push-outs; and for opening shots and carom games, where later rounds find nothing that is not near a play
 /// of the first one.
 const MORE_PLAYS: u64 = 3;
 const OPENING: u64 = 5;

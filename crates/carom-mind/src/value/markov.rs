@@ -79,7 +79,7 @@ impl Markov {
     }
 
     /// The probability that the player of `turn` wins. `usual` are the players' chances of a usual pot,
-    /// and `best` is that of the best pot, which does not count for an opening shot and in three-cushion.
+    /// and `best` is that of the best pot, which does not count for an opening shot and in carom games.
     pub(crate) fn shooter(
         &self,
         position: &Position<'_>,
