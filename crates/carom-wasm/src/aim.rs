@@ -40,7 +40,7 @@ impl Shot {
         pocket: usize,
         place: &[f64],
         range: &[f64],
-        noise: &[f64],
+        noise: &str,
         variants: u32,
     ) -> Result<Option<LeaveAim>, JsValue> {
         let (&[x, y], &[least, most, offset]) = (place, range) else {

@@ -1,11 +1,11 @@
 //! Many shots at once.
 
 use carom::batch::{BatchResult, draw_strikes, draw_variant, simulate_batch, simulate_variants};
-use carom::format::Node;
-use carom::noise::{Covariance, Errors, SKILLS, Samples};
+use carom::format::{Node, Reader};
+use carom::noise::{Errors, SKILLS};
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
-use carom::{Error, ErrorKind, Noise};
+use carom::{Error, Noise};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -37,97 +37,48 @@ impl Shots {
     }
 }
 
-/// The Computational Olympiad's noise times `multiplier`, in the order of [`numbers`].
+/// The Computational Olympiad's noise times `multiplier`, JSON.
 #[wasm_bindgen]
-pub fn olympiad(multiplier: f64) -> Result<Vec<f64>, JsValue> {
+pub fn olympiad(multiplier: f64) -> Result<String, JsValue> {
     let noise = Noise::olympiad(multiplier);
     noise.check().map_err(|e| to_exception(&e))?;
-    Ok(numbers(&noise))
+    Ok(noise.to_node().to_json())
 }
 
 /// Rejects a noise with a number out of range.
 #[wasm_bindgen(js_name = checkNoise)]
-pub fn check_noise(noise: &[f64]) -> Result<(), JsValue> {
-    noise_of(noise)?.check().map_err(|e| to_exception(&e))
+pub fn check_noise(noise: &str) -> Result<(), JsValue> {
+    noise_of(noise).map(|_| ())
 }
 
-/// The σ of speed (m/s), azimuth, elevation (rad), side, height (m), and the probability and the
-/// friction of a cling. If the noise has more, then also the error relative to the speed, the five
-/// numbers of the bias, 1 and the 25 numbers of the covariance or only 0, and five numbers for each
-/// measured error.
-pub(crate) fn numbers(noise: &Noise) -> Vec<f64> {
-    let Noise { speed, azimuth, elevation, side_m, height_m, .. } = *noise;
-    let Noise { cling_probability, cling_friction, speed_relative, bias, .. } = *noise;
-    let mut all =
-        vec![speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction];
-    let Noise { covariance, samples, .. } = noise;
-    if speed_relative != 0.0 || bias != [0.0; 5] || covariance.is_some() || samples.is_some() {
-        all.push(speed_relative);
-        all.extend(bias);
-        all.push(f64::from(u8::from(covariance.is_some())));
-        all.extend(covariance.iter().flat_map(|covariance| covariance.matrix().as_flattened()));
-        all.extend(samples.iter().flat_map(|samples| samples.rows().as_flattened()));
-    }
-    all
+/// The noise with these plain values, JSON as [`Noise::read`] takes them.
+pub(crate) fn noise_of(json: &str) -> Result<Noise, JsValue> {
+    read_json(json, "noise", Noise::read).map_err(|e| to_exception(&e))
 }
 
-/// The inverse of [`numbers`].
-pub(crate) fn noise_of(numbers: &[f64]) -> Result<Noise, JsValue> {
-    read_numbers(numbers).map_err(|e| to_exception(&e))
+/// Reads plain values, JSON. `place` begins the places of errors.
+pub(crate) fn read_json<T>(
+    json: &str,
+    place: &str,
+    read: impl FnOnce(&Reader<'_>) -> Result<T, Error>,
+) -> Result<T, Error> {
+    read(&Reader::new(&Node::from_json(json)?, place))
 }
 
-fn read_numbers(numbers: &[f64]) -> Result<Noise, Error> {
-    let length =
-        || ErrorKind::WrongCount.at("noise", "the list has a wrong length", "use carom's `Noise`");
-    let (plain, more) = numbers.split_first_chunk::<7>().ok_or_else(length)?;
-    let [speed, azimuth, elevation, side_m, height_m, cling_probability, cling_friction] = *plain;
-    let mut noise = Noise {
-        speed,
-        azimuth,
-        elevation,
-        side_m,
-        height_m,
-        cling_probability,
-        cling_friction,
-        ..Noise::NONE
-    };
-    let Some((&[speed_relative, ref bias @ .., has_covariance], more)) =
-        more.split_first_chunk::<7>()
-    else {
-        return if more.is_empty() { Ok(noise) } else { Err(length()) };
-    };
-    (noise.speed_relative, noise.bias) = (speed_relative, *bias);
-    let mut rows = more;
-    if has_covariance != 0.0 {
-        let (matrix, others) = more.split_first_chunk::<25>().ok_or_else(length)?;
-        let (matrix, _) = matrix.as_chunks::<5>();
-        noise.covariance = Some(Covariance::new(core::array::from_fn(|i| matrix[i]))?);
-        rows = others;
-    }
-    match rows.as_chunks::<5>() {
-        ([], []) => {}
-        (rows, []) => noise.samples = Some(Samples::new(rows.to_vec())?),
-        _ => return Err(length()),
-    }
-    Ok(noise)
-}
-
-/// The presets of execution noise, JSON: pairs of a name and the [`numbers`]. The levels of play come
+/// The presets of execution noise, JSON: pairs of a name and its plain values. The levels of play come
 /// first, from the widest errors to the smallest; then the Olympiad.
 #[wasm_bindgen(js_name = noisePresets)]
 pub fn noise_presets() -> String {
     let olympiad = ("olympiad", Noise::olympiad(1.0));
     let presets = SKILLS.iter().chain([&olympiad]);
-    let node = |(name, noise): &(&str, Noise)| {
-        Node::List(vec![(*name).into(), Node::list(numbers(noise))])
-    };
+    let node = |(name, noise): &(&str, Noise)| Node::List(vec![(*name).into(), noise.to_node()]);
     Node::list(presets.map(node)).to_json()
 }
 
 #[wasm_bindgen]
 impl Shot {
-    /// Simulates the variants `first .. first + n` with execution noise, given as [`numbers`].
-    pub fn vary(&self, noise: &[f64], n: usize, seed: u64, first: u64) -> Result<Batch, JsValue> {
+    /// Simulates the variants `first .. first + n` with execution noise, given as JSON.
+    pub fn vary(&self, noise: &str, n: usize, seed: u64, first: u64) -> Result<Batch, JsValue> {
         let noise = noise_of(noise)?;
         let strikes =
             draw_strikes(&self.0, &noise, n, seed, first).map_err(|e| to_exception(&e))?;
@@ -137,7 +88,7 @@ impl Shot {
     }
 
     /// The shot of variant `index`: an ordinary shot, with its strike and its cling.
-    pub fn variant(&self, noise: &[f64], seed: u64, index: u64) -> Result<Shot, JsValue> {
+    pub fn variant(&self, noise: &str, seed: u64, index: u64) -> Result<Shot, JsValue> {
         let drawn = draw_variant(&self.0, &noise_of(noise)?, seed, index);
         drawn.map(|drawn| Shot(drawn.into())).map_err(|e| to_exception(&e))
     }

@@ -12,7 +12,7 @@ use carom_rules::{BallIndex, Call, Play};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::batch::{noise_of, numbers};
+use crate::batch::read_json;
 use crate::error::to_exception;
 use crate::rules::Frame;
 
@@ -46,21 +46,28 @@ pub struct Thinking {
 
 #[wasm_bindgen]
 impl Thinking {
-    /// The errors of the player and of the opponent, in the order of `batch::numbers`; σ of the
-    /// perceived positions, m; the time in seconds.
+    /// The errors of the player and of the opponent and of the perceived positions, JSON; the time in
+    /// seconds.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        noise: &[f64],
-        opponent_noise: &[f64],
-        perception: f64,
+        noise: &str,
+        opponent_noise: &str,
+        perception: Option<String>,
         seed: u64,
         simulations: u64,
         rounds: Option<u32>,
         time: Option<f64>,
     ) -> Result<Self, JsValue> {
-        let noise = [noise_of(noise)?, noise_of(opponent_noise)?];
-        let perception = Perception::round(perception);
-        Ok(Self { noise, perception, seed, simulations, rounds, time })
+        let read = || {
+            let own = read_json(noise, "noise", Noise::read)?;
+            let other = read_json(opponent_noise, "opponentNoise", Noise::read)?;
+            let perception = match &perception {
+                Some(json) => read_json(json, "perception", Perception::read)?,
+                None => Perception::default(),
+            };
+            Ok(Self { noise: [own, other], perception, seed, simulations, rounds, time })
+        };
+        read().map_err(|e: Error| to_exception(&e))
     }
 }
 
@@ -81,9 +88,9 @@ impl Player {
         self.0.name().into()
     }
 
-    /// The deviations of the strikes of a level of strength, in the order of `olympiad`.
-    pub fn noise(&self) -> Option<Vec<f64>> {
-        self.0.noise().map(|noise| numbers(&noise))
+    /// The errors of the strikes of a level of strength, JSON.
+    pub fn noise(&self) -> Option<String> {
+        self.0.noise().map(|noise| noise.to_node().to_json())
     }
 
     /// The simulated shots that the name gives.

@@ -247,7 +247,7 @@ impl Frame {
     pub fn play_noisy(
         &mut self,
         play: &PlayArguments,
-        noise: &[f64],
+        noise: &str,
         seeds: &[u64],
     ) -> Result<PlayResult, JsValue> {
         let seeds = match *seeds {

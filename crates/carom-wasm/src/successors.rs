@@ -65,7 +65,7 @@ impl Frame {
     pub fn successors(
         &self,
         play: &PlayArguments,
-        noise: &[f64],
+        noise: &str,
         n: usize,
         seed: u64,
         first: u64,

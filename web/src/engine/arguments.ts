@@ -17,10 +17,34 @@ function shown(value: unknown): string {
   }
 }
 
-/** JSON of a file that is text or a value. The engine refuses `null`, which stands for no value. */
-export function json(file: unknown): string {
+/**
+ * JSON of a file that is text or a value. The engine refuses `null`, which stands for no value.
+ *
+ * @param place What the argument is called.
+ * @throws CaromError for a number that is not finite: JSON would have `null` there, and the engine would take
+ * it for a missing value.
+ */
+export function json(file: unknown, place = ""): string {
   if (typeof file === "string") return file;
-  return stringify(file) ?? "null";
+  const written = stringify(file) ?? "null";
+  if (written.includes("null")) refuseInfinite(place, file);
+  return written;
+}
+
+function refuseInfinite(place: string, value: unknown): void {
+  if (typeof value === "number" && !Number.isFinite(value)) {
+    refuse("out-of-range", place, `${value} is not finite`, "write a finite number");
+  }
+  if (typeof value !== "object" || value === null) return;
+  for (const [key, inner] of Object.entries(value)) {
+    refuseInfinite(inside(place, key, Array.isArray(value)), inner);
+  }
+}
+
+/** The place of an entry. */
+function inside(place: string, key: string, isIndex: boolean): string {
+  if (isIndex) return `${place}[${key}]`;
+  return place === "" ? key : `${place}.${key}`;
 }
 
 /** The kind of the error for a value of a wrong type. */
@@ -47,6 +71,29 @@ export function object(place: string, value: unknown): object {
 }
 
 /**
+ * An object without unknown keys.
+ *
+ * @param keys Every key that it may have.
+ * @throws CaromError if `given` is not an object, or has another key.
+ */
+export function known<T extends object>(
+  place: string,
+  given: T,
+  keys: Readonly<Record<keyof T, true>>,
+): T {
+  for (const key of Object.keys(object(place, given))) {
+    if (Object.hasOwn(keys, key)) continue;
+    refuse(
+      "unknown-key",
+      `${place}.${key}`,
+      "unknown key",
+      `the keys known here are ${Object.keys(keys).join(", ")}`,
+    );
+  }
+  return given;
+}
+
+/**
  * The numbers under some keys of an object, in the order of the keys. The engine checks their ranges.
  *
  * @throws CaromError if `of` is not an object, or a value is not a number.
@@ -56,8 +103,8 @@ export function numbers(place: string, of: unknown, keys: readonly string[]): nu
   return keys.map((key) => {
     const value = values[key];
     if (typeof value === "number") return value;
-    const inner = place === "" ? key : /^\d/.test(key) ? `${place}[${key}]` : `${place}.${key}`;
-    return refuse(wrong(value), inner, `found ${shown(value)}`, "write a number");
+    const at = inside(place, key, /^\d/.test(key));
+    return refuse(wrong(value), at, `found ${shown(value)}`, "write a number");
   });
 }
 

@@ -2,12 +2,12 @@
  * The engine without embedded WebAssembly: for a worker, which receives `Engine.module` from its page,
  * and for sites that serve the `.wasm` file themselves.
  */
-import { boolean, json, named, numbers, object, text, whole } from "./arguments.ts";
+import { boolean, json, known, named, numbers, text, whole } from "./arguments.ts";
 import type { BreakOptions, Engine, RollingBand, RollingOptions } from "./engine.ts";
 import { CaromError, type Refusal, refusalOf, refuse } from "./error.ts";
 import { FRAME_FORMAT, replay } from "./frame-record.ts";
 import { Handle, checked, uncloneable } from "./handle.ts";
-import { namedSigmas, sigmasOf } from "./noise.ts";
+import { noiseJson, noiseOf } from "./noise.ts";
 import * as wasm from "./pkg/carom_wasm.js";
 import type { Player, PlayerOptions } from "./player.ts";
 import type {
@@ -81,6 +81,16 @@ const MOST_SUCCESSORS = 2 ** 24;
 /** Variants that rank the strikes of `leaveAim`: more take longer than a user waits. */
 const MOST_VARIANTS = 100_000;
 
+// The keys of options and plays; the types make each list complete.
+const VARIANTS = { seed: true, first: true } as const;
+const LEAVE = { noise: true, variants: true, speed: true, offset: true } as const;
+const BREAK = { table: true, preset: true, speed: true, seed: true, gap: true } as const;
+const ROLLING_KEYS = { fastest: true, share: true, least: true, gravity: true } as const;
+const TERMS = { points: true, miss: true, patience: true, target: true } as const;
+const PLAY_ERRORS = { noise: true, seed: true } as const;
+const PLAY = { strike: true, cue_ball: true, call: true, cling: true } as const;
+const CALL = { kind: true, ball: true, into: true } as const;
+
 let loaded: Promise<Engine> | undefined;
 
 /**
@@ -151,7 +161,7 @@ class WasmEngine implements Engine {
   }
 
   breakShot(game: string, options: BreakOptions = {}): Shot {
-    const { table, preset, seed = 0 } = options;
+    const { table, preset, seed = 0 } = known("options", options, BREAK);
     if (table !== undefined) text("table", table);
     if (preset !== undefined) text("preset", preset);
     const [speed, gap] = (["speed", "gap"] as const).map((key) =>
@@ -176,20 +186,17 @@ class WasmEngine implements Engine {
 
   olympiad(multiplier = 1): Noise {
     const [factor] = numbers("", { multiplier }, ["multiplier"]);
-    return namedSigmas(checked(() => wasm.olympiad(factor!)));
+    return noiseOf(checked(() => wasm.olympiad(factor!)));
   }
 
   get noisePresets() {
     return (this.#noises ??= Object.fromEntries(
-      (JSON.parse(wasm.noisePresets()) as [string, number[]][]).map(([name, sigmas]) => [
-        name,
-        namedSigmas(sigmas),
-      ]),
+      JSON.parse(wasm.noisePresets()) as [string, Noise][],
     ));
   }
 
   checkNoise(noise: Noise): void {
-    checked(() => wasm.checkNoise(sigmasOf(noise)));
+    checked(() => wasm.checkNoise(noiseJson(noise)));
   }
 
   currentPresetName(name: string): string {
@@ -206,7 +213,8 @@ class WasmEngine implements Engine {
     options: RollingOptions = {},
   ): number | readonly RollingBand[] {
     const law = numbers("", { a, b }, ["a", "b"]);
-    const tolerance = numbers("", { ...ROLLING, ...options }, Object.keys(ROLLING));
+    const given = known("options", options, ROLLING_KEYS);
+    const tolerance = numbers("", { ...ROLLING, ...given }, Object.keys(ROLLING));
     const [fastest, share, least, gravity] = tolerance;
     return checked(
       () =>
@@ -220,7 +228,12 @@ class WasmEngine implements Engine {
   }
 
   frame(game: string, options: FrameOptions = {}): Frame {
-    const { seed = 0 } = options;
+    const { seed = 0 } = known("options", options, {
+      ...TERMS,
+      table: true,
+      physics: true,
+      seed: true,
+    });
     const terms = termsOf(options);
     const optional = (value: unknown) => (value === undefined ? undefined : JSON.stringify(value));
     const [table, physics] = [optional(options.table), optional(options.physics)];
@@ -236,7 +249,7 @@ class WasmEngine implements Engine {
   }
 
   frameOf(game: string, shot: Shot, terms: FrameTerms = {}): Frame {
-    const written = termsOf(terms);
+    const written = termsOf(known("options", terms, TERMS));
     const { points, miss, patience } = written;
     const handle = handleOf(shot);
     const frame = checked(() =>
@@ -405,7 +418,8 @@ class WasmShot implements Shot {
     return [named("ball", ball, balls), named("pocket", pocket, pockets)];
   }
 
-  potAim(ball: string, pocket: string, { near = false } = {}): PotAim | null {
+  potAim(ball: string, pocket: string, options: { readonly near?: boolean } = {}): PotAim | null {
+    const { near = false } = known("options", options, { near: true });
     const indices = this.#indices(ball, pocket);
     const aim = checked(() => this.handle.object.potAim(...indices, boolean("near", near)));
     if (!aim) return null;
@@ -424,17 +438,19 @@ class WasmShot implements Shot {
     ball: string,
     pocket: string,
     place: Point,
-    { noise, variants = 100, speed = [0.5, 7], offset = 0.45 }: LeaveOptions = {},
+    options: LeaveOptions = {},
   ): LeaveAim | null {
+    const given = known("options", options, LEAVE);
+    const { noise, variants = 100, speed = [0.5, 7], offset = 0.45 } = given;
     const indices = this.#indices(ball, pocket);
     const at = Float64Array.from(numbers("place", place, ["0", "1"]));
     const range = Float64Array.from([
       ...numbers("speed", speed, ["0", "1"]),
       ...numbers("", { offset }, ["offset"]),
     ]);
-    const sigmas = noise === undefined ? wasm.olympiad(1) : sigmasOf(noise);
+    const errors = noise === undefined ? wasm.olympiad(1) : noiseJson(noise);
     const count = Number(whole("variants", variants, MOST_VARIANTS));
-    const aim = checked(() => this.handle.object.leaveAim(...indices, at, range, sigmas, count));
+    const aim = checked(() => this.handle.object.leaveAim(...indices, at, range, errors, count));
     if (!aim) return null;
     const [x, y] = aim.end();
     const found = {
@@ -459,20 +475,21 @@ class WasmShot implements Shot {
       );
       return this.vary(noise, count!, { seed: n, first: options });
     }
-    const { seed = 0, first = 0 } = options;
+    const { seed = 0, first = 0 } = known("options", options, VARIANTS);
     const most = Math.floor(BATCH_MEMORY / (ROW_BYTES + BALL_BYTES * this.balls.length));
     const rows = Number(whole("n", n, most, "ask for more in parts, with `first`"));
-    const sigmas = sigmasOf(noise);
+    const errors = noiseJson(noise);
     const [start, from] = [whole("seed", seed), whole("first", first)];
-    const batch = checked(() => this.handle.object.vary(sigmas, rows, start, from));
+    const batch = checked(() => this.handle.object.vary(errors, rows, start, from));
     const strikes = batch.strikes();
     return Object.assign(toBatch(batch), { strikes });
   }
 
-  variant(noise: Noise, index = 0, { seed = 0 }: { readonly seed?: number } = {}): Shot {
-    const values = sigmasOf(noise);
+  variant(noise: Noise, index = 0, options: { readonly seed?: number } = {}): Shot {
+    const { seed = 0 } = known("options", options, { seed: true });
+    const errors = noiseJson(noise);
     const [start, number] = [whole("seed", seed), whole("index", index)];
-    return new WasmShot(checked(() => this.handle.object.variant(values, start, number)));
+    return new WasmShot(checked(() => this.handle.object.variant(errors, start, number)));
   }
 
   free() {
@@ -623,12 +640,13 @@ class WasmFrame implements Frame {
 
   play(play: Play, errors: PlayErrors = {}) {
     const frame = this.handle.object;
-    const sigmas = errors.noise && sigmasOf(errors.noise);
+    known("errors", errors, PLAY_ERRORS);
+    const noise = errors.noise && noiseJson(errors.noise);
     const given = errors.seed ?? 0;
     const seeds = (typeof given === "number" ? [given] : given).map((seed) => whole("seed", seed));
     const result = withPlay(play, (given) =>
       checked(() =>
-        sigmas ? frame.playNoisy(given, sigmas, BigUint64Array.from(seeds)) : frame.play(given),
+        noise ? frame.playNoisy(given, noise, BigUint64Array.from(seeds)) : frame.play(given),
       ),
     );
     this.#state = undefined;
@@ -653,12 +671,12 @@ class WasmFrame implements Frame {
 
   successors(play: Play, noise: Noise, n: number, options: VaryOptions = {}): Successors {
     const frame = this.handle.object;
-    const sigmas = sigmasOf(noise);
-    const { seed = 0, first = 0 } = options;
+    const errors = noiseJson(noise);
+    const { seed = 0, first = 0 } = known("options", options, VARIANTS);
     const rows = Number(whole("n", n, MOST_SUCCESSORS, "ask for more in parts, with `first`"));
     const [start, from] = [whole("seed", seed), whole("first", first)];
     const found = withPlay(play, (given) =>
-      checked(() => frame.successors(given, sigmas, rows, start, from)),
+      checked(() => frame.successors(given, errors, rows, start, from)),
     );
     try {
       const [player, winner] = [found.player(), found.winner()];
@@ -695,15 +713,14 @@ function playedOf({ strike: given, cue_ball, call }: Play, result: wasm.PlayResu
 
 /** Converts a play for the engine, and frees the converted play afterwards. */
 function withPlay<T>(play: Play, use: (given: wasm.PlayArguments) => T): T {
-  const { strike, cue_ball, call, cling } = object("play", play) as Partial<Play>;
-  const { elevation, obstruction, miscue, ...read } = readStrike(strike!);
+  const { strike, cue_ball, call, cling } = known("play", play, PLAY);
+  const { elevation, obstruction, miscue, ...read } = readStrike(strike);
   const values = Float64Array.from(read.numbers);
   const place =
     cue_ball === undefined
       ? undefined
       : Float64Array.from(numbers("cue_ball", cue_ball, ["0", "1"]));
-  if (call !== undefined) object("call", call);
-  const { kind = "nothing", ball, into } = call ?? {};
+  const { kind = "nothing", ball, into } = call === undefined ? {} : known("call", call, CALL);
   text("call.kind", kind);
   if (ball !== undefined) text("call.ball", ball);
   if (into !== undefined) text("call.into", into);

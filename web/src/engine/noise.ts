@@ -1,81 +1,33 @@
-/** Execution noise as the engine's list of numbers, and back. */
+/** Execution noise as JSON for the engine, and back. */
 
-import { numbers, object } from "./arguments.ts";
+import { json, numbers, object } from "./arguments.ts";
 import { refuse } from "./error.ts";
 import type { Noise } from "./types.ts";
 import { warnOnce } from "./warn.ts";
 
-const NUMBERS = [
-  "speed",
-  "azimuth",
-  "elevation",
-  "side_m",
-  "height_m",
-  "cling_probability",
-  "cling_friction",
-] as const;
-
-/** What a noise without these keys has: those of the engine's presets. */
-export const CLING = { cling_probability: 0, cling_friction: 0.22 } as const;
+/** The standard deviations that a noise must have. The engine knows the other keys and their ranges. */
+const SIGMAS = ["speed", "azimuth", "elevation", "side_m", "height_m"] as const;
 
 /** Keys of older versions, whose names did not say that they are in metres. */
 const OLD_KEYS = { side: "side_m", height: "height_m" } as const;
 
-/** The noise from σ of speed, azimuth, elevation, side and height, and its cling. */
-export function namedSigmas(values: ArrayLike<number>): Noise {
-  return {
-    speed: values[0]!,
-    azimuth: values[1]!,
-    elevation: values[2]!,
-    side_m: values[3]!,
-    height_m: values[4]!,
-    cling_probability: values[5]!,
-    cling_friction: values[6]!,
-  };
+/** A noise that the engine wrote. */
+export function noiseOf(written: string): Noise {
+  return JSON.parse(written) as Noise;
 }
 
 /**
- * The numbers of a noise, in the engine's order.
+ * A noise as JSON for the engine, which checks it.
  *
  * @param place What the argument is called.
- * @throws CaromError if one is missing or not a number.
+ * @throws CaromError if a standard deviation is missing or not a number, and for a number that is not finite.
  */
-export function sigmasOf(noise: Noise, place = "noise"): Float64Array {
-  const { value, old } = withNewKeys(object(place, noise) as Readonly<Record<string, unknown>>);
+export function noiseJson(noise: Noise, place = "noise"): string {
+  const given = object(place, noise) as Readonly<Record<string, unknown>>;
+  const { value, old } = withNewKeys(given, place);
   for (const key of old) warnOnce(`Noise.${key} is called Noise.${OLD_KEYS[key]} now`);
-  const plain = numbers(place, { ...CLING, ...value }, NUMBERS);
-  if (!FURTHER.some((key) => value[key] !== undefined)) return Float64Array.from(plain);
-  const { speed_relative = 0, bias = [0, 0, 0, 0, 0] } = value;
-  const covariance =
-    value.covariance === undefined ? [] : rows(`${place}.covariance`, value.covariance);
-  if (covariance.length !== 0 && covariance.length !== 5) {
-    const inner = `${place}.covariance`;
-    refuse("wrong-count", inner, `found ${covariance.length} rows`, "write five rows");
-  }
-  const samples = value.samples === undefined ? [] : rows(`${place}.samples`, value.samples);
-  return Float64Array.from([
-    ...plain,
-    ...numbers(place, { speed_relative }, ["speed_relative"]),
-    ...five(`${place}.bias`, bias),
-    covariance.length === 0 ? 0 : 1,
-    ...covariance.flat(),
-    ...samples.flat(),
-  ]);
-}
-
-/** The keys of a noise that is more than independent Gaussian errors. */
-const FURTHER = ["speed_relative", "covariance", "bias", "samples"] as const;
-
-/** @throws CaromError if `row` is not five numbers. */
-function five(place: string, row: unknown): number[] {
-  if (Array.isArray(row) && row.length === 5) return numbers(place, row, ["0", "1", "2", "3", "4"]);
-  return refuse("wrong-count", place, "found no list of five numbers", "write one");
-}
-
-/** @throws CaromError if `list` is not a list of rows of five numbers. */
-function rows(place: string, list: unknown): number[][] {
-  if (!Array.isArray(list)) refuse("wrong-type", place, "found no list", "write rows of five");
-  return list.map((row, i) => five(`${place}[${i}]`, row));
+  numbers(place, value, SIGMAS);
+  return json(value, place);
 }
 
 /**
@@ -84,7 +36,10 @@ function rows(place: string, list: unknown): number[][] {
  * @returns The noise, and the old keys that were found.
  * @throws CaromError if a σ has both of its names.
  */
-export function withNewKeys(noise: Readonly<Record<string, unknown>>): {
+export function withNewKeys(
+  noise: Readonly<Record<string, unknown>>,
+  place = "noise",
+): {
   readonly value: Readonly<Record<string, unknown>>;
   readonly old: readonly (keyof typeof OLD_KEYS)[];
 } {
@@ -93,8 +48,12 @@ export function withNewKeys(noise: Readonly<Record<string, unknown>>): {
   for (const key of old) {
     const present = OLD_KEYS[key];
     if (present in noise) {
-      const place = `noise.${key}`;
-      refuse("duplicate", place, `this is the old name of ${present}`, "remove one of them");
+      refuse(
+        "duplicate",
+        `${place}.${key}`,
+        `this is the old name of ${present}`,
+        "remove one of them",
+      );
     }
     value[present] = value[key];
     Reflect.deleteProperty(value, key);

@@ -3,10 +3,18 @@
 import type { Choice, Frame, PlannedPlay } from "./rules.ts";
 import type { Noise, PocketName, Point } from "./types.ts";
 
+/** Error of a position that a player sees. */
+export interface PositionError {
+  /** Standard deviation of true minus perceived position, m: of each coordinate, or of x and of y. */
+  readonly position: number | readonly [x: number, y: number];
+  /** Correlation of the two coordinates, −1 to 1. Default 0. */
+  readonly correlation?: number;
+}
+
 /** Errors of the positions that a player sees. */
-export interface Perception {
-  /** Standard deviation of true minus perceived position, per coordinate, m. */
-  readonly position: number;
+export interface Perception extends PositionError {
+  /** Of single balls, by id, in place of that of all. */
+  readonly balls?: Readonly<Record<string, PositionError>>;
 }
 
 /** What a player knows of the errors, and what a decision may cost. */

@@ -1,22 +1,22 @@
 /** Strikes as callers write them: with angles in radians or in degrees, as in shot files. */
-import { numbers, object, text } from "./arguments.ts";
+import { known, numbers, text } from "./arguments.ts";
 import { refuse } from "./error.ts";
 import type { StrikeEntry, StrikeInput } from "./types.ts";
 import { warnOnce } from "./warn.ts";
 
 /** The keys of a strike. `ball` is not used: the shot or the frame determines the struck ball. */
-const KEYS = [
-  "ball",
-  "speed",
-  "azimuth",
-  "azimuth_deg",
-  "elevation",
-  "elevation_deg",
-  "side",
-  "height",
-  "obstruction",
-  "miscue",
-] as const;
+const KEYS = {
+  ball: true,
+  speed: true,
+  azimuth: true,
+  azimuth_deg: true,
+  elevation: true,
+  elevation_deg: true,
+  side: true,
+  height: true,
+  obstruction: true,
+  miscue: true,
+} as const;
 
 /** A strike in radians, with the defaults of what it omits. */
 export interface ReadStrike {
@@ -30,16 +30,7 @@ export interface ReadStrike {
 
 /** @throws CaromError for an unknown key, a value that is not a number, and an angle in two units. */
 export function readStrike(strike: StrikeInput): ReadStrike {
-  const given = object("strike", strike) as Partial<StrikeEntry>;
-  for (const key of Object.keys(given)) {
-    if ((KEYS as readonly string[]).includes(key)) continue;
-    refuse(
-      "unknown-key",
-      `strike.${key}`,
-      "unknown key",
-      `the keys known here are ${KEYS.join(", ")}`,
-    );
-  }
+  const given: Partial<StrikeEntry> = known("strike", strike as Partial<StrikeEntry>, KEYS);
   const [speed, side, height] = numbers("strike", { side: 0, height: 0, ...defined(given) }, [
     "speed",
     "side",

@@ -1,9 +1,9 @@
 /** `Player` over the WebAssembly module. */
 
-import { numbers, object, text, whole } from "./arguments.ts";
+import { json, known, numbers, text, whole } from "./arguments.ts";
 import { refuse } from "./error.ts";
 import { Handle, checked } from "./handle.ts";
-import { namedSigmas, sigmasOf } from "./noise.ts";
+import { noiseJson, noiseOf } from "./noise.ts";
 import * as wasm from "./pkg/carom_wasm.js";
 import type {
   Analysis,
@@ -26,6 +26,17 @@ const USUAL_PLAYS = 5;
 /** More than a search has candidates. */
 const MOST_PLAYS = 1000;
 
+const OPTIONS = {
+  name: true,
+  noise: true,
+  opponentNoise: true,
+  perception: true,
+  simulations: true,
+  rounds: true,
+  time: true,
+  seed: true,
+} as const;
+
 /** The object of a frame in WebAssembly's memory. */
 type FrameObject = (frame: Frame) => wasm.Frame;
 
@@ -37,13 +48,12 @@ export class WasmPlayer implements Player {
   readonly #objectOf: FrameObject;
 
   constructor(options: PlayerOptions, objectOf: FrameObject) {
-    object("options", options);
-    const { name = "carom" } = options;
+    const { name = "carom" } = known("options", options, OPTIONS);
     const player = checked(() => new wasm.Player(text("name", name)));
     this.name = player.name();
     this.#player = new Handle("player", player);
     const usual = player.noise() ?? wasm.olympiad(1);
-    this.noise = options.noise ?? namedSigmas(usual);
+    this.noise = options.noise ?? noiseOf(usual);
     this.#thinking = new Handle("player", thinkingOf(options, usual, player.simulations()));
     this.#objectOf = objectOf;
   }
@@ -66,7 +76,7 @@ export class WasmPlayer implements Player {
   }
 
   beginAnalysis(frame: Frame, options: ExplainOptions = {}): Thought<Analysis> {
-    const { count = USUAL_PLAYS } = options;
+    const { count = USUAL_PLAYS } = known("options", options, { count: true });
     if (count === 0) refuse("out-of-range", "count", "0 plays are nothing", "ask for at least 1");
     const plays = Number(whole("count", count, MOST_PLAYS));
     return new WasmThought(this.#begin(frame, plays), (thought, interrupted) => ({
@@ -94,7 +104,7 @@ export class WasmPlayer implements Player {
  */
 function thinkingOf(
   options: PlayerOptions,
-  usual: Float64Array,
+  usual: string,
   named: number | undefined,
 ): wasm.Thinking {
   const { noise, opponentNoise, perception, simulations, rounds, time, seed = 0 } = options;
@@ -108,14 +118,13 @@ function thinkingOf(
   }
   const isLimited = time !== undefined || rounds !== undefined;
   const most = simulations ?? named ?? (isLimited ? MOST_SIMULATIONS : USUAL_SIMULATIONS);
-  const own = noise === undefined ? usual : sigmasOf(noise);
-  const [sight] = numbers("perception", perception ?? { position: 0 }, ["position"]);
+  const own = noise === undefined ? usual : noiseJson(noise);
   return checked(
     () =>
       new wasm.Thinking(
         own,
-        opponentNoise === undefined ? own : sigmasOf(opponentNoise, "opponentNoise"),
-        sight!,
+        opponentNoise === undefined ? own : noiseJson(opponentNoise, "opponentNoise"),
+        perception === undefined ? undefined : json(perception, "perception"),
         whole("seed", seed),
         atLeastOne("simulations", most, MOST_SIMULATIONS),
         rounds === undefined ? undefined : Number(atLeastOne("rounds", rounds, MOST_ROUNDS)),

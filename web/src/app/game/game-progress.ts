@@ -102,9 +102,15 @@ function isApplied(move: Move, previous: Move | undefined, { game, request }: Fr
 
 function begun(engine: Engine, { rules, options, from }: Setup): Frame {
   if (from === null) return engine.frame(rules, options);
+  const { points, miss, patience } = options;
+  const terms = {
+    ...(points !== undefined && { points }),
+    ...(miss !== undefined && { miss }),
+    ...(patience !== undefined && { patience }),
+  };
   const shot = engine.shot(from);
   try {
-    return engine.frameOf(rules, shot, options);
+    return engine.frameOf(rules, shot, terms);
   } finally {
     shot.free();
   }

@@ -1,7 +1,7 @@
 /** The contents of a link: the document, the view, and the time of a replay. */
 
 import { CaromError, type Noise, type ShotFile } from "../../engine/index.ts";
-import { CLING, withNewKeys } from "../../engine/noise.ts";
+import { withNewKeys } from "../../engine/noise.ts";
 import { FIRST_VIEW, type View } from "../document/document.ts";
 import { type Game, GUIDES, LONGEST_NAME } from "../document/stored-game.ts";
 import type { State } from "../document/store.ts";
@@ -41,6 +41,9 @@ const CHOICES: { readonly [K in keyof View]: readonly View[K][] } = {
   camera: ["top", "orbit", "cue"],
   units: ["m/s", "km/h", "mph"],
 };
+
+/** What the noise of a link without these keys has: links of older versions have no cling. */
+const CLING = { cling_probability: 0, cling_friction: 0.22 } as const;
 
 const NOISE: readonly (keyof Noise)[] = [
   "speed",
@@ -119,7 +122,6 @@ function broken(place: string, found: unknown, remedy: string): LinkError {
 function noiseOf(data: unknown): Noise | null {
   if (data === undefined || data === null) return null;
   if (!isRecord(data)) throw broken("noise", data, "write an object with five standard deviations");
-  // Links of older versions have no cling.
   const value: Readonly<Record<string, unknown>> = { ...CLING, ...withNewKeys(data).value };
   const entries = NOISE.map((key) => {
     const number = value[key];

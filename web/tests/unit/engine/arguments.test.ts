@@ -207,6 +207,56 @@ describe("invalid arguments are refused with their place", () => {
     expect(frame.state.shots).toBe(0);
   });
 
+  test("misspelt keys of options, plays, noises and perceptions", () => {
+    const noise = engine.olympiad();
+    const frame = engine.frame("nine-ball");
+    const play = { strike };
+    for (const [place, call] of [
+      ["options.sead", () => engine.breakShot("nine-ball", wrong({ sead: 1 }))],
+      ["options.fast", () => engine.rollingBands(0.01, 0, wrong({ fast: 2 }))],
+      ["options.tabel", () => engine.frame("nine-ball", wrong({ tabel: "bar-7ft" }))],
+      ["options.pionts", () => engine.frameOf("straight-pool", shot, wrong({ pionts: 9 }))],
+      ["options.simulation", () => engine.player(wrong({ simulation: 9 }))],
+      ["options.cuont", () => engine.player().explain(frame, wrong({ cuont: 9 }))],
+      ["options.close", () => shot.potAim("1", "top-left", wrong({ close: true }))],
+      ["options.variant", () => shot.leaveAim("1", "top-left", [1, 1], wrong({ variant: 9 }))],
+      ["options.fist", () => shot.vary(noise, 1, wrong({ fist: 9 }))],
+      ["options.first", () => shot.variant(noise, 1, wrong({ first: 9 }))],
+      ["options.sed", () => frame.successors(play, noise, 1, wrong({ sed: 9 }))],
+      ["errors.nosie", () => frame.play(play, wrong({ nosie: noise }))],
+      ["play.cueball", () => frame.play(wrong({ ...play, cueball: [0.5, 0.5] }))],
+      ["call.pocket", () => frame.play(wrong({ ...play, call: { pocket: "top-left" } }))],
+      ["noise.sped", () => shot.vary(wrong({ ...noise, sped: 1 }), 1)],
+      ["opponentNoise.sped", () => engine.player(wrong({ opponentNoise: { ...noise, sped: 1 } }))],
+      ["perception.sigma", () => engine.player({ perception: wrong({ position: 0, sigma: 1 }) })],
+    ] as const) {
+      const error = refusal(call);
+      expect([error.kind, error.place], String(call)).toEqual(["unknown-key", place]);
+    }
+    expect(frame.state.shots).toBe(0);
+  });
+
+  test("the keys of a strike are those of a shot file", () => {
+    const schema = engine.schema("shot") as {
+      $defs: { strike: { properties: Record<string, unknown> } };
+    };
+    const { remedy } = refusal(() => shot.withStrike(wrong({ ...strike, sped: 1 })));
+    const known = remedy.replace("the keys known here are ", "").split(", ");
+    expect(known.sort()).toEqual(Object.keys(schema.$defs.strike.properties).sort());
+  });
+
+  test("numbers that JSON cannot write, which the engine would take for missing values", () => {
+    const file = { ...shot.file, until: Infinity };
+    expect(refusal(() => engine.shot(file)).message).toBe(
+      "until: Infinity is not finite; write a finite number",
+    );
+    const [first, ...others] = shot.file.balls;
+    const lost = { ...shot.file, balls: [{ ...first!, position: [NaN, 1] as const }, ...others] };
+    expect(refusal(() => engine.shot(lost)).place).toBe("balls[0].position[0]");
+    const biased = { ...engine.olympiad(), bias: [0, NaN, 0, 0, 0] as const };
+    expect(refusal(() => shot.vary(biased, 1)).place).toBe("noise.bias[1]");
+  });
+
   test("files that are not JSON values", () => {
     expect(() => engine.shot(wrong(() => 5))).toThrow(CaromError);
     expect(() => engine.trace(wrong(5))).toThrow(CaromError);

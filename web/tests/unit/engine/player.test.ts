@@ -5,6 +5,7 @@ import {
   type Decision,
   type FrameRecord,
   load,
+  type Perception,
   type PlayerOptions,
 } from "../../../src/engine/index.ts";
 import { read } from "./files.ts";
@@ -166,4 +167,13 @@ test("invalid options and questions are refused with their place", () => {
   expect(place(() => engine.player(FEW).explain(choice))).toBe("frame");
   expect(place(() => engine.player({ name: "greedy:50" }).explain(NINE))).toBe("player");
   expect(place(() => engine.player(FEW).explain(NINE, { count: 0 }))).toBe("count");
+});
+
+test("a perception has errors by ball and by direction", () => {
+  const stated = (perception: Perception) =>
+    engine.player({ ...FEW, perception }).choose(NINE).win_chance;
+  const exact = stated({ position: 0 });
+  const alike = { position: [0, 0], correlation: 0.5, balls: { cue: { position: 0 } } } as const;
+  expect(stated(alike)).toBe(exact);
+  expect(stated({ position: 0, balls: { cue: { position: [0.02, 0.01] } } })).not.toBe(exact);
 });
