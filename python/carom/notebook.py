@@ -94,7 +94,7 @@ def cell(document: page.Document, *, height: int = page.HEIGHT) -> str:
     """
     run = _run()
     if run is None:
-        return page.frame(document, height=height)
+        return page.iframe(document, height=height)
     height = page.checked_height(height)
     key, packed = _page(page.html())
     shown = _pack(page.json_of(document))

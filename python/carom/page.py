@@ -113,7 +113,7 @@ def checked_height(height: int) -> int:
     return whole("height", height, MOST_HEIGHT + 1, low=1)
 
 
-def frame(document: Document, *, height: int = HEIGHT) -> str:
+def iframe(document: Document, *, height: int = HEIGHT) -> str:
     """The page as an element of another page; it needs nothing else.
 
     It runs in a sandbox, so that it can neither read nor change the page around it.

@@ -112,7 +112,7 @@ def test_where_every_cell_is_a_document_of_its_own_it_has_the_whole_page(
 ) -> None:
     monkeypatch.setitem(sys.modules, "google.colab", SimpleNamespace())
     shot = carom.break_shot("nine-ball")
-    assert shot._repr_html_() == page.frame(shot)
+    assert shot._repr_html_() == page.iframe(shot)
 
 
 @pytest.mark.usefixtures("small")

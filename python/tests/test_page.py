@@ -144,7 +144,7 @@ def test_arguments_of_a_wrong_type_are_refused_by_name(pot: dict[str, Any]) -> N
         page.html(shot, title=wrong)
     for height in (0, -5, 1.5, float("nan"), 10**9, "tall"):
         with pytest.raises(carom.InputError, match=r"^height: .*from 1 to 1000000"):
-            page.frame(shot, height=height)  # type: ignore[arg-type]
+            page.iframe(shot, height=height)  # type: ignore[arg-type]
 
 
 def test_a_file_that_is_not_the_page_is_refused(

@@ -1,16 +1,16 @@
-/** Starts the page: engine, first document, viewer and frame loop. */
+/** Starts the page: engine, first document, viewer and draw loop. */
 
 import "./style.css";
 import { load } from "../engine/index.ts";
 import { Viewer } from "../viewer/index.ts";
 import type { Context } from "./common/context.ts";
-import { FrameLoop } from "./common/frame-loop.ts";
+import { DrawLoop } from "./common/draw-loop.ts";
 import { referee } from "./game/referee.ts";
 import { makeInstallable } from "./install.ts";
 import { mountNotices } from "./shell/notices.ts";
 import { mountPage, place } from "./page.ts";
 import { applyLanguage } from "./shell/language.ts";
-import { followTurn, turnOf } from "./common/seen.ts";
+import { followOrientation, orientationOf } from "./common/seen.ts";
 import { FIRST_VIEW } from "./document/document.ts";
 import { Scene } from "./scene.ts";
 import { startOf } from "./start.ts";
@@ -29,7 +29,7 @@ async function start(): Promise<void> {
   // The engine compiles while the viewer starts.
   const loading = load();
   let draw = () => false;
-  const loop = new FrameLoop(() => draw());
+  const loop = new DrawLoop(() => draw());
   const viewer = new Viewer(place("table") as HTMLCanvasElement, {
     theme: shownTheme(FIRST_VIEW.theme),
     reducedMotion: REDUCED_MOTION.matches,
@@ -40,7 +40,7 @@ async function start(): Promise<void> {
   const engine = await loading;
   const first = await startOf(engine);
   const store = new Store(referee(engine), first.document, first.view);
-  followTurn(() => store.session.turn);
+  followOrientation(() => store.session.orientation);
   const context: Context = {
     engine,
     viewer,
@@ -56,15 +56,15 @@ async function start(): Promise<void> {
   scene.update();
   viewer.render();
   // The texts that the parts make at once already name the pockets as the picture shows them.
-  readTurn(store, viewer);
+  readOrientation(store, viewer);
   // The parts are mounted while another process draws the first picture.
   mountParts();
   first.begin(store, context);
   draw = () => {
     scene.update();
-    if (viewer.needsFrame) viewer.render();
-    readTurn(store, viewer);
-    return viewer.needsFrame;
+    if (viewer.needsPicture) viewer.render();
+    readOrientation(store, viewer);
+    return viewer.needsPicture;
   };
   loop.invalidate();
   makeInstallable();
@@ -73,14 +73,14 @@ async function start(): Promise<void> {
 }
 
 /** Reads how the picture shows the table, for the names of pockets and rails; behind the cue they stay. */
-function readTurn(store: Store, viewer: Viewer): void {
+function readOrientation(store: Store, viewer: Viewer): void {
   const { size } = store.shot.geometry;
   if (!size || store.view.camera === "cue" || viewer.flying) return;
   const [x, y] = [size[0] / 2, size[1] / 2];
   const aside = viewer.seen([x, y], [x, y + ASIDE]);
   if (!aside) return;
-  const turn = turnOf(...aside);
-  if (turn !== store.session.turn) store.setSession({ turn });
+  const orientation = orientationOf(...aside);
+  if (orientation !== store.session.orientation) store.setSession({ orientation });
 }
 
 declare global {

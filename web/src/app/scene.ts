@@ -14,7 +14,7 @@ import { endOfAimLine, shortPaths } from "./game/guide/short-paths.ts";
 import { presentCall } from "./game/calling.ts";
 import { canAim, standing } from "./game/awaited-turn.ts";
 import { firstMeeting } from "./pot/first-contact.ts";
-import { guidesOf, lineFrom } from "./pot/guide-lines.ts";
+import { contactLinesOf, lineFrom } from "./pot/contact-lines.ts";
 import { strokePull } from "./replay/replay-clock.ts";
 import { timedPaths } from "./replay/trail-paths.ts";
 import type { State, Store } from "./document/store.ts";
@@ -59,7 +59,7 @@ export class Scene {
   #paths: Trace | null = null;
   /** What is shown of the present paths. */
   #extent: Guide | "trace" = "full";
-  #guided = false;
+  #hasContactLines = false;
   #states = new Float64Array(0);
 
   constructor(store: Store, context: Pick<Context, "viewer" | "loop" | "engine">) {
@@ -119,11 +119,11 @@ export class Scene {
       states.set(ball.position, index * STRIDE);
       states[index * STRIDE + 12] = 1;
     });
-    const refused = refusedBall(session.refusal?.attempt ?? null, document.shot);
+    const refused = refusedBall(session.refusal?.shot ?? null, document.shot);
     if (refused) states.set(refused.position, refused.index * STRIDE);
     this.#setBalls(states);
     this.#viewer.setTime(null);
-    this.#setPaths(trace, guide, session.guides.contact && guide === "full");
+    this.#setPaths(trace, guide, session.overlays.contact && guide === "full");
     this.#viewer.setCue(aims && shot.struck !== null ? pose(shot.strike!, shot.struck) : null);
     this.#viewer.setMarks([
       ...(trace ? marks(trace, guide) : []),
@@ -180,12 +180,13 @@ export class Scene {
     this.#viewer.setBalls(states);
   }
 
-  #setPaths(trace: Trace | null, extent: Guide | "trace", guided = false): void {
+  #setPaths(trace: Trace | null, extent: Guide | "trace", withLines = false): void {
     // Ghost and replay show the same trace in different styles.
-    if (trace === this.#paths && extent === this.#extent && guided === this.#guided) return;
+    if (trace === this.#paths && extent === this.#extent && withLines === this.#hasContactLines)
+      return;
     this.#paths = trace;
     this.#extent = extent;
-    this.#guided = guided;
+    this.#hasContactLines = withLines;
     const paths =
       trace === null
         ? []
@@ -194,19 +195,19 @@ export class Scene {
           : wholePaths(trace, extent);
     const long = paths.filter(({ points }) => moves(points));
     this.stats.paths = long.length;
-    this.#viewer.setPaths([...long, ...(guided && trace ? guideLines(trace) : [])]);
+    this.#viewer.setPaths([...long, ...(withLines && trace ? contactLines(trace) : [])]);
   }
 }
 
 /** The tangent line and the natural angle, in the colour of the cue ball. */
-function guideLines(trace: Trace): BallPath[] {
+function contactLines(trace: Trace): BallPath[] {
   const { struck, balls, geometry } = trace.shot;
-  const guides = guidesOf(trace);
-  if (!guides || struck === null) return [];
-  return [guides.tangent, guides.natural].map((direction) => ({
+  const lines = contactLinesOf(trace);
+  if (!lines || struck === null) return [];
+  return [lines.tangent, lines.natural].map((direction) => ({
     ball: struck,
-    points: lineFrom(guides.from, direction, geometry.size, balls[struck]!.radius),
-    style: "guide",
+    points: lineFrom(lines.from, direction, geometry.size, balls[struck]!.radius),
+    style: "contact-line",
   }));
 }
 
@@ -270,10 +271,10 @@ function place(states: Float64Array, ball: number): [number, number, number] {
 
 /** The ball whose new position was refused, if there is one. */
 function refusedBall(
-  attempt: AimedShot | null,
+  refused: AimedShot | null,
   shot: AimedShot,
 ): { index: number; position: readonly number[] } | null {
-  if (attempt?.balls.length !== shot.balls.length) return null;
-  const index = attempt.balls.findIndex((ball, k) => ball.position !== shot.balls[k]!.position);
-  return index < 0 ? null : { index, position: attempt.balls[index]!.position };
+  if (refused?.balls.length !== shot.balls.length) return null;
+  const index = refused.balls.findIndex((ball, k) => ball.position !== shot.balls[k]!.position);
+  return index < 0 ? null : { index, position: refused.balls[index]!.position };
 }

@@ -1,4 +1,4 @@
-/** Adapts the viewer's quality to the time that its frames take. */
+/** Adapts the viewer's quality to the time that its pictures take. */
 
 /** A level of quality. */
 export interface Level {
@@ -20,19 +20,19 @@ export const STILL: Level = { pixelRatio: 2, shadows: true };
 /** Index of the first low level; software rendering starts with it. */
 export const LOW = 2;
 
-/** Number of frames whose median time decides. */
+/** Number of pictures whose median time decides. */
 const WINDOW = 16;
 /**
- * Median time between frames, ms, above which the quality is lowered: 40 pictures per second. Screens with
- * 60 frames per second show a picture every 17 or 33 ms, so most pictures must be in time.
+ * Median time between pictures, ms, above which the quality is lowered: 40 pictures per second. Screens with
+ * 60 pictures per second show a picture every 17 or 33 ms, so most pictures must be in time.
  */
 export const SLOW = 25;
-/** Median time between frames, ms, below which the quality may be raised. */
+/** Median time between pictures, ms, below which the quality may be raised. */
 const FAST = 19;
 /** Number of fast windows before the quality is raised; doubled each time it must be lowered again. */
 const PATIENCE = 4;
 
-/** Chooses a level from frame times that the caller measures. */
+/** Chooses a level from times of pictures that the caller measures. */
 export class Governor {
   #level: number;
   readonly #best: number;
@@ -57,20 +57,20 @@ export class Governor {
     return this.#level;
   }
 
-  /** Median time between the frames of the last window, ms; 0 before the first window. */
-  get frameMs(): number {
+  /** Median time between the pictures of the last window, ms; 0 before the first window. */
+  get pictureMs(): number {
     return this.#median;
   }
 
   /**
-   * Records the start of a frame.
+   * Records the start of a picture.
    *
    * @param now - Time, ms.
-   * @param follows - Whether it directly follows the last drawn frame. After a pause the time between
-   * frames does not measure the renderer.
+   * @param follows - Whether it directly follows the last drawn picture. After a pause the time between
+   * pictures does not measure the renderer.
    * @returns Whether the level has changed.
    */
-  frame(now: number, follows: boolean): boolean {
+  pictureAt(now: number, follows: boolean): boolean {
     const time = now - this.#last;
     this.#last = now;
     if (!follows) return false;

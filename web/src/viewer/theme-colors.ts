@@ -6,7 +6,7 @@ export interface Palette {
   background: string;
   /** Colours of the rails and of the frame below. */
   wood: string;
-  frame: string;
+  apron: string;
   /** Intensity of the ambient light and of the lamp. */
   ambient: number;
   lamp: number;
@@ -18,7 +18,7 @@ const PALETTES: Readonly<Record<Theme, Palette>> = {
   light: {
     background: "#e8e5de",
     wood: "#7a4d2f",
-    frame: "#4b3222",
+    apron: "#4b3222",
     ambient: 1.65,
     lamp: 2.45,
     floorShadow: 0.4,
@@ -26,7 +26,7 @@ const PALETTES: Readonly<Record<Theme, Palette>> = {
   dark: {
     background: "#15181b",
     wood: "#5d3a25",
-    frame: "#33231a",
+    apron: "#33231a",
     ambient: 1.15,
     lamp: 2.2,
     floorShadow: 0.75,

@@ -34,7 +34,7 @@ export interface BallPath {
   ball: number;
   points: Float64Array;
   /** `ghost`: a prediction, light and dashed. `trace`: a played shot. `guide`: a thin line to aim by. */
-  style: "ghost" | "trace" | "guide";
+  style: "ghost" | "trace" | "contact-line";
 }
 
 /** The cue behind the ball that it strikes. */

@@ -50,13 +50,13 @@ export interface ViewerOptions {
   shadows?: boolean;
   /** Whether cameras jump instead of flying. */
   reducedMotion?: boolean;
-  /** Called when {@link Viewer.needsFrame} becomes true, also after gestures and resizing. */
+  /** Called when {@link Viewer.needsPicture} becomes true, also after gestures and resizing. */
   onChange?: () => void;
 }
 
 /**
- * Draws a table on a canvas. It has no frame loop: call {@link Viewer.render} from yours while
- * {@link Viewer.needsFrame} is true.
+ * Draws a table on a canvas. It has no loop of its own: call {@link Viewer.render} from yours while
+ * {@link Viewer.needsPicture} is true.
  */
 export class Viewer {
   readonly #canvas: HTMLCanvasElement;
@@ -90,7 +90,7 @@ export class Viewer {
   #dirty = true;
   #renderMs = 0;
   /** Start of the browser's first frame after the last picture, ms, and the request that records it. */
-  #nextFrame = NaN;
+  #nextPicture = NaN;
   #request = 0;
   /** Whether the next picture is a still, whether the last one was, and the timer that requests one. */
   #stillDue = false;
@@ -134,7 +134,7 @@ export class Viewer {
   }
 
   /** Whether a call of {@link render} would draw something new. */
-  get needsFrame(): boolean {
+  get needsPicture(): boolean {
     return this.#dirty || this.#rig.flying || this.#pulses;
   }
 
@@ -187,11 +187,11 @@ export class Viewer {
   }
 
   /**
-   * `frameMs`: median time between frames in the last continuous motion, ms (0: none yet). `renderMs`:
+   * `pictureMs`: median time between frames in the last continuous motion, ms (0: none yet). `renderMs`:
    * the JavaScript time of the last frame. `level`: index of the present quality, 0 the best.
    */
-  get stats(): { frameMs: number; renderMs: number; level: number } {
-    return { frameMs: this.#governor.frameMs, renderMs: this.#renderMs, level: this.#level };
+  get stats(): { pictureMs: number; renderMs: number; level: number } {
+    return { pictureMs: this.#governor.pictureMs, renderMs: this.#renderMs, level: this.#level };
   }
 
   setTheme(theme: Theme): void {
@@ -369,7 +369,7 @@ export class Viewer {
   }
 
   /**
-   * Draws a picture. Call it once per animation frame while {@link needsFrame}. If moving pictures are
+   * Draws a picture. Call it once per animation frame while {@link needsPicture}. If moving pictures are
    * below full quality, a still at full quality follows when nothing changes for a while.
    */
   render(): void {
@@ -504,15 +504,15 @@ export class Viewer {
    * the browser's previous frame.
    */
   #govern(still: boolean): void {
-    const frame = Number(document.timeline.currentTime);
-    const changed = this.#governor.frame(frame, frame === this.#nextFrame && !still);
+    const now = Number(document.timeline.currentTime);
+    const changed = this.#governor.pictureAt(now, now === this.#nextPicture && !still);
     if (still) this.#apply(STILL, devicePixelRatio);
     else if (this.#wasStill || (changed && this.#quality === "auto")) this.#applyLevel();
     this.#wasStill = still;
-    this.#nextFrame = NaN;
+    this.#nextPicture = NaN;
     cancelAnimationFrame(this.#request);
     // A still takes longer, so the frame after it is not measured.
-    if (!still) this.#request = requestAnimationFrame((time) => (this.#nextFrame = time));
+    if (!still) this.#request = requestAnimationFrame((time) => (this.#nextPicture = time));
   }
 
   /** Requests a still when nothing has changed for a while. */

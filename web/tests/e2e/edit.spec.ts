@@ -70,9 +70,7 @@ test("a ball dragged into a pocket is shown as refused, and goes back", async ({
   await picture(page, "refused");
   await page.mouse.up();
   await settled(page);
-  expect(
-    await page.evaluate(() => window.carom!.store.session.refusal?.attempt ?? null),
-  ).toBeNull();
+  expect(await page.evaluate(() => window.carom!.store.session.refusal?.shot ?? null)).toBeNull();
   // The reason stays until the next accepted change.
   expect(await alert.isVisible()).toBe(true);
   await page.getByRole("application", { name: /^Table/ }).focus();

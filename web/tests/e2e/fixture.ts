@@ -206,7 +206,7 @@ export async function settled(page: Page): Promise<void> {
     () =>
       new Promise<void>((resolve) => {
         const look = (): void => {
-          if (window.carom!.viewer.needsFrame) requestAnimationFrame(look);
+          if (window.carom!.viewer.needsPicture) requestAnimationFrame(look);
           else resolve();
         };
         // The change that an event requests happens, and is drawn, in the next frame.

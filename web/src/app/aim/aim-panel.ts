@@ -38,21 +38,21 @@ export function mountAimPanel(root: HTMLElement, store: Store, context: Context)
   mountElevation(root, store, context);
   mountDirection(root, store, context);
   mountStruck(root, store);
-  mountGuides(root, store);
+  mountOverlays(root, store);
 }
 
 /** The switches of the tangent line with the natural angle, and of the diamond systems. */
-function mountGuides(root: HTMLElement, store: Store): void {
+function mountOverlays(root: HTMLElement, store: Store): void {
   for (const [key, shown] of [
     ["guides", "contact"],
     ["diamonds", "diamonds"],
   ] as const) {
     const box = h("input", { type: "checkbox", id: uniqueId(key), role: "switch" });
     box.addEventListener("change", () => {
-      store.setPart("guides", { [shown]: box.checked });
+      store.setPart("overlays", { [shown]: box.checked });
     });
     store.subscribe(({ session }) => {
-      box.checked = session.guides[shown];
+      box.checked = session.overlays[shown];
     });
     root.append(
       h("div", { class: "switch row" }, box, h("label", { for: box.id }, t(`aim.${key}`))),

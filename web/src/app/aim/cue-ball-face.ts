@@ -148,10 +148,10 @@ export function mountFace(root: HTMLElement, store: Store, context: Context): vo
   function show(): void {
     const { side = 0, height = 0 } = store.document.shot.strike;
     draw(store.shot.miscueLimit, [side, height]);
-    const attempt = store.session.refusal?.attempt?.strike;
-    const off = attempt && (attempt.side !== side || attempt.height !== height);
+    const refused = store.session.refusal?.shot?.strike;
+    const off = refused && (refused.side !== side || refused.height !== height);
     tried.style.display = off ? "" : "none";
-    if (off) at(tried, attempt.side ?? 0, attempt.height ?? 0);
+    if (off) at(tried, refused.side ?? 0, refused.height ?? 0);
     face.setAttribute("aria-label", t("face.position", { offset: spokenOffset(side, height) }));
   }
   store.subscribe(show);

@@ -31,7 +31,7 @@ export function mountDiamonds(stage: HTMLElement, store: Store, context: Context
   let drawn = "";
 
   function read(): void {
-    const wanted = store.session.guides.diamonds && store.session.mode === "aim";
+    const wanted = store.session.overlays.diamonds && store.session.mode === "aim";
     root.hidden = !wanted || shownGuide(store) !== "full";
     if (root.hidden) return;
     reading = readingNow(store, context);
@@ -99,7 +99,7 @@ export function mountDiamonds(stage: HTMLElement, store: Store, context: Context
     const { session } = now;
     const isSame =
       now.document === before.document &&
-      session.guides.diamonds === before.session.guides.diamonds &&
+      session.overlays.diamonds === before.session.overlays.diamonds &&
       session.mode === before.session.mode &&
       session.attempt === before.session.attempt;
     if (!isSame) context.loop.input(root, read);

@@ -11,7 +11,7 @@ import { guideText } from "../game/guide/guide-words.ts";
 import { canAim } from "../game/awaited-turn.ts";
 import type { Store } from "../document/store.ts";
 import { ballName, obstruction, summary } from "../common/shot-words.ts";
-import { isObjectBall } from "../pot/turn-to-pot.ts";
+import { isObjectBall } from "../pot/aim-with-snap.ts";
 import { firstContact } from "../pot/first-contact.ts";
 import { hitText, lockText } from "../pot/pot-words.ts";
 import { drawFace, spokenOffset } from "./cue-ball-face.ts";
@@ -99,7 +99,7 @@ export function mountDock(
     const isSame =
       now.document === before.document &&
       now.session.mode === before.session.mode &&
-      now.session.turn === before.session.turn &&
+      now.session.orientation === before.session.orientation &&
       now.session.lock === before.session.lock &&
       now.session.selected === before.session.selected &&
       now.session.attempt === before.session.attempt;

@@ -5,7 +5,7 @@ import type { Context } from "../common/context.ts";
 import { errorText } from "../common/refusals.ts";
 import { ballName, pocketName } from "../common/shot-words.ts";
 import type { FoundPot, PotQuestion, Store } from "../document/store.ts";
-import { isObjectBall } from "../pot/turn-to-pot.ts";
+import { isObjectBall } from "../pot/aim-with-snap.ts";
 import { Desk } from "./desk/desk-client.ts";
 import DeskWorker from "./desk/desk-worker.ts?worker&inline";
 import { t } from "../words/translate.ts";

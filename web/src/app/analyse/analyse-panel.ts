@@ -1,4 +1,4 @@
-/** The tab of the best shots: five lines of the player that searches, and why one is better than another. */
+/** The tab of the best shots: five recommendations of the player that searches, and why one is better than another. */
 
 import "./analyse-panel.css";
 import type { Recommendation } from "../../engine/index.ts";
@@ -9,16 +9,23 @@ import { gameName, levelName } from "../common/preset-names.ts";
 import { changeUnpressed } from "../common/press.ts";
 import type { State, Store } from "../document/store.ts";
 import { ellipseOf, leavePicture } from "./leave-picture.ts";
-import { type Found, Lines } from "./line-search.ts";
+import { type Found, RecommendationSearch } from "./recommendation-search.ts";
 import { mountNext } from "./look-ahead.ts";
 import { isForOne } from "../game/game-words.ts";
 import { Desk } from "./desk/desk-client.ts";
 import DeskWorker from "./desk/desk-worker.ts?worker&inline";
-import { aimLine, readShot, shotOf } from "./play-line.ts";
+import { aimRecommendation, readShot, shotOf } from "./aim-recommendation.ts";
 import { type Position, positionOf } from "./analysed-position.ts";
 import { hidePreview, resultButton, showShot } from "./result-preview.ts";
 import { mountStop } from "./stop-handle.ts";
-import { leaveText, lineText, percent, strikeText, whatText, whyText } from "./analyse-words.ts";
+import {
+  leaveText,
+  recommendationText,
+  percent,
+  strikeText,
+  whatText,
+  whyText,
+} from "./analyse-words.ts";
 import { decimal, t } from "../words/translate.ts";
 
 /** Time (ms) without a change of the position after which it is searched: a drag moves a ball every frame. */
@@ -39,14 +46,14 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
   mountNext(next, store, context);
   store.subscribe((now, before) => {
     if (matters(now, before)) panel.follow();
-    else if (now.session.turn !== before.session.turn) panel.showAgain();
+    else if (now.session.orientation !== before.session.orientation) panel.showAgain();
   });
   const follow = () => panel.follow();
   new MutationObserver(follow).observe(root, { attributeFilter: ["hidden"] });
   follow();
 }
 
-/** The list of lines, and the settings of their search. */
+/** The list of recommendations, and the settings of their search. */
 class LinesPanel {
   readonly #root: HTMLElement;
   readonly #store: Store;
@@ -67,7 +74,7 @@ class LinesPanel {
   /** Chances of pots, by their plays. */
   readonly #potChances = new WeakMap<Recommendation["play"], number>();
   /** Starts workers, so it is made for the first question. */
-  #lines: Lines | null = null;
+  #search: RecommendationSearch | null = null;
   #found: Found | null = null;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -107,7 +114,7 @@ class LinesPanel {
   /** Waits until the position rests, and then searches it. */
   follow(): void {
     clearTimeout(this.#timer);
-    this.#lines?.stop();
+    this.#search?.stop();
     if (!this.#isWanted) return;
     this.#list.dataset.stale = "true";
     this.#timer = setTimeout(() => this.#ask(), REST);
@@ -124,11 +131,11 @@ class LinesPanel {
       this.#show(this.#found);
     } else {
       setText(this.#status, t("lines.searching"));
-      this.#lines ??= new Lines(() => new ThinkerWorker(), this.#context.engine, {
+      this.#search ??= new RecommendationSearch(() => new ThinkerWorker(), this.#context.engine, {
         found: (result) => this.#show(result),
         refused: (message) => setText(this.#status, message),
       });
-      this.#lines.ask(position);
+      this.#search.ask(position);
     }
   }
 
@@ -142,7 +149,9 @@ class LinesPanel {
   #showFound({ plays, done, elapsed }: Found): void {
     const focused = [...this.#list.querySelectorAll(".line")].indexOf(document.activeElement!);
     hidePreview(this.#store);
-    this.#list.replaceChildren(...plays.map((line, index) => this.#lineItem(line, index, plays)));
+    this.#list.replaceChildren(
+      ...plays.map((recommendation, index) => this.#item(recommendation, index, plays)),
+    );
     delete this.#list.dataset.stale;
     this.#list.dataset.done = String(done);
     this.#list.dataset.elapsed = String(Math.round(elapsed));
@@ -158,19 +167,23 @@ class LinesPanel {
     );
   }
 
-  #lineItem(line: Recommendation, index: number, all: readonly Recommendation[]): HTMLElement {
-    const { play, kept, foul, win_chance: win } = line;
+  #item(
+    recommendation: Recommendation,
+    index: number,
+    all: readonly Recommendation[],
+  ): HTMLElement {
+    const { play, kept, foul, win_chance: win } = recommendation;
     const { geometry, balls } = this.#store.shot;
     const cue = this.#store.document.shot.strike.ball;
     // A single player keeps the turn with every shot, makes no foul and wins nothing: there the pot counts.
     const alone = isForOne(this.#context.engine, this.#rules.value);
     const facts = alone
-      ? h("span", { class: "facts" }, this.#potFact(line))
+      ? h("span", { class: "facts" }, this.#potFact(recommendation))
       : h(
           "span",
           { class: "facts" },
           fact(
-            t(line.ball === null ? "lines.kept" : "lines.pot-chance"),
+            t(recommendation.ball === null ? "lines.kept" : "lines.pot-chance"),
             percent(kept.probability),
           ),
           fact(t("lines.foul"), percent(foul.probability)),
@@ -180,37 +193,39 @@ class LinesPanel {
       this.#store,
       {
         take: () => {
-          if (aimLine(this.#store, line))
-            this.#context.announce(t("lines.aimed", { line: lineText(line) }));
+          if (aimRecommendation(this.#store, recommendation))
+            this.#context.announce(t("lines.aimed", { line: recommendationText(recommendation) }));
         },
-        show: () => this.#preview(line),
+        show: () => this.#preview(recommendation),
       },
       h(
         "span",
         { class: "said" },
-        h("strong", {}, whatText(line)),
+        h("strong", {}, whatText(recommendation)),
         h("span", { class: "hint" }, strikeText(play.strike)),
         facts,
-        h("span", { class: "unseen" }, leaveText(line)),
+        h("span", { class: "unseen" }, leaveText(recommendation)),
       ),
-      leavePicture(geometry, balls, cue, line, this.#isLying()),
+      leavePicture(geometry, balls, cue, recommendation, this.#isLying()),
     );
-    return h("li", {}, button, ...(all.length > 1 ? why(line, index, all) : []));
+    return h("li", {}, button, ...(all.length > 1 ? why(recommendation, index, all) : []));
   }
 
-  /** The chance of a line's pot, counted; empty until it is known, and for a line without a pot. */
-  #potFact(line: Recommendation): HTMLElement | false {
-    if (line.ball === null || line.pocket === null) return false;
-    const chance = this.#potChances.get(line.play);
+  /** The counted chance of the pot; empty until it is known, and where no ball is to fall. */
+  #potFact(recommendation: Recommendation): HTMLElement | false {
+    if (recommendation.ball === null || recommendation.pocket === null) return false;
+    const chance = this.#potChances.get(recommendation.play);
     return fact(t("lines.pot-chance"), chance === undefined ? "…" : percent(chance));
   }
 
-  /** Counts the pots of the lines, one after the other. */
+  /** Counts the pots of the recommendations, one after the other. */
   #countPots({ plays, position, done }: Found): void {
     if (!done || !isForOne(this.#context.engine, position.rules)) return;
-    const line = plays.find(({ ball, play }) => ball !== null && !this.#potChances.has(play));
-    if (line?.ball == null || line.pocket === null) return;
-    const { ball, pocket, play } = line;
+    const recommendation = plays.find(
+      ({ ball, play }) => ball !== null && !this.#potChances.has(play),
+    );
+    if (recommendation?.ball == null || recommendation.pocket === null) return;
+    const { ball, pocket, play } = recommendation;
     this.#desk.ask(
       {
         kind: "chance",
@@ -237,10 +252,10 @@ class LinesPanel {
     return from !== null && to !== null && Math.abs(to[0] - from[0]) > Math.abs(to[1] - from[1]);
   }
 
-  #preview(line: Recommendation): void {
+  #preview(recommendation: Recommendation): void {
     if (!this.#isWanted || this.#list.dataset.stale) return;
-    const shot = readShot(this.#context.engine, this.#store.document.shot, line.play);
-    const outline = ellipseOf(line);
+    const shot = readShot(this.#context.engine, this.#store.document.shot, recommendation.play);
+    const outline = ellipseOf(recommendation);
     if (shot) showShot(this.#store, shot, outline ? [{ outline, color: STOP }] : []);
   }
 
@@ -286,9 +301,9 @@ function matters(
   );
 }
 
-/** The button that compares a line with the best one, or the best one with the second. */
+/** The button that compares a recommendation with the best one, or the best one with the second. */
 function why(
-  line: Recommendation,
+  recommendation: Recommendation,
   index: number,
   all: readonly Recommendation[],
 ): readonly HTMLElement[] {
@@ -305,7 +320,7 @@ function why(
       onclick: () => {
         text.hidden = !text.hidden;
         button.setAttribute("aria-expanded", String(!text.hidden));
-        const [first, second] = index === 0 ? [line, all[1]!] : [all[0]!, line];
+        const [first, second] = index === 0 ? [recommendation, all[1]!] : [all[0]!, recommendation];
         setText(text, text.hidden ? "" : whyText(first, second, [1, index === 0 ? 2 : index + 1]));
       },
     },

@@ -1,4 +1,4 @@
-/** Lines of the analysis in the words of players. */
+/** Recommendations of the analysis in the words of players. */
 
 import type { Recommendation, Strike } from "../../engine/index.ts";
 import { powerWord } from "../aim/power-bar.ts";
@@ -12,12 +12,12 @@ const HALF_TIP = TIP / 2;
 /** Elevation from which a player would say that the cue is raised, rad: 10°. */
 const RAISED = Math.PI / 18;
 
-/** A line as players say it: "9 into the top left pocket, a tip of right, soft". */
-export function lineText(line: Recommendation): string {
-  return [whatText(line), strikeText(line.play.strike)].join(t("lines.gap"));
+/** A recommendation as players say it: "9 into the top left pocket, a tip of right, soft". */
+export function recommendationText(recommendation: Recommendation): string {
+  return [whatText(recommendation), strikeText(recommendation.play.strike)].join(t("lines.gap"));
 }
 
-/** What a line is meant to do. */
+/** What a recommendation is meant to do. */
 export function whatText({ kind, ball, pocket, legs, play }: Recommendation): string {
   if (ball !== null && pocket !== null) {
     const names = { ball: ballName(ball), pocket: pocketName(pocket) };
@@ -71,7 +71,7 @@ export function centimetres(metres: number): string {
   return t("lines.centimetres", { length: decimal(100 * metres, 0) });
 }
 
-/** Where a line leaves the cue ball, for those who do not see the picture. */
+/** Where a recommendation leaves the cue ball, for those who do not see the picture. */
 export function leaveText({ leave }: Recommendation): string {
   if (leave.spread === null || leave.count === 0) return t("lines.leave-unknown");
   return t("lines.leave", { spread: centimetres(leave.spread) });
@@ -80,7 +80,7 @@ export function leaveText({ leave }: Recommendation): string {
 /** How a difference of the chance to win arises. */
 interface Part {
   readonly key: "kept" | "position" | "safety";
-  /** Share of the difference, as a probability; positive in favour of the better line. */
+  /** Share of the difference, as a probability; positive in favour of the better recommendation. */
   readonly share: number;
 }
 
@@ -94,14 +94,18 @@ const NOTABLE_SPREAD = 0.1;
 const EQUAL = 2;
 
 /**
- * How the difference of two lines' chances to win arises. A chance to win is k·w + (1 − k)·m: the chance
+ * How the difference of two recommendations' chances to win arises. A chance to win is k·w + (1 − k)·m: the chance
  * to keep the turn k, and the chances to win if it is kept (w) and if not (m). The difference is split
  * exactly into the parts of k, w and m, each at the mean of the others.
  */
 export function partsOf(a: Recommendation, b: Recommendation): readonly Part[] {
-  const of = (line: Recommendation) => {
-    const w = line.win_if_kept ?? line.win_chance;
-    return { k: line.kept.probability, w, m: line.win_if_missed ?? line.win_chance };
+  const of = (recommendation: Recommendation) => {
+    const w = recommendation.win_if_kept ?? recommendation.win_chance;
+    return {
+      k: recommendation.kept.probability,
+      w,
+      m: recommendation.win_if_missed ?? recommendation.win_chance,
+    };
   };
   const [x, y] = [of(a), of(b)];
   const k = (x.k + y.k) / 2;
@@ -113,9 +117,9 @@ export function partsOf(a: Recommendation, b: Recommendation): readonly Part[] {
 }
 
 /**
- * Why line `first` is better than line `second`, in one to three sentences.
+ * Why recommendation `first` is better than recommendation `second`, in one to three sentences.
  *
- * @param names The numbers under which the lines are shown.
+ * @param names The numbers under which the recommendations are shown.
  */
 export function whyText(
   first: Recommendation,

@@ -12,7 +12,7 @@ import type { State, Store } from "../document/store.ts";
 import { standing } from "../game/awaited-turn.ts";
 
 export interface Position {
-  /** Positions with equal keys have the same lines. */
+  /** Positions with equal keys have the same recommendations. */
   readonly key: string;
   /** The game by whose rules plays are judged. */
   readonly rules: string;

@@ -83,7 +83,7 @@ function matters(now: State, before: State): boolean {
     now.session.mode !== before.session.mode ||
     now.session.activity !== before.session.activity ||
     now.session.analysis.level !== before.session.analysis.level ||
-    now.session.turn !== before.session.turn ||
+    now.session.orientation !== before.session.orientation ||
     now.session.lock !== before.session.lock
   );
 }

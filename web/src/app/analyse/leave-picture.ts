@@ -1,4 +1,4 @@
-/** Where the cue ball stops after a line: an ellipse on the cloth, and a small picture of the table. */
+/** Where the cue ball stops after a recommendation: an ellipse on the cloth, and a small picture of the table. */
 
 import type { BallInfo, Geometry, Point, Recommendation } from "../../engine/index.ts";
 import { look } from "../../viewer/index.ts";
@@ -58,7 +58,7 @@ export function ellipse([x, y]: Point, [xx, xy, yy]: readonly [number, number, n
 }
 
 /**
- * The table with its balls and the ellipse of a line, as it lies or stands on the screen. Screen readers skip
+ * The table with its balls and the ellipse of a recommendation, as it lies or stands on the screen. Screen readers skip
  * it.
  *
  * @param isLying Whether the length of the table is across the screen.
@@ -67,7 +67,7 @@ export function leavePicture(
   { size, pockets }: Geometry,
   balls: readonly BallInfo[],
   cueBall: string,
-  line: Recommendation,
+  recommendation: Recommendation,
   isLying: boolean,
 ): SVGSVGElement | null {
   if (!size) return null;
@@ -77,13 +77,14 @@ export function leavePicture(
   // A lying table is turned clockwise: its bottom left corner is at the top left of the screen.
   const at = ([x, y]: readonly number[]): readonly [number, number] =>
     isLying ? [y!, x!] : [x!, length - y!];
-  const points = (ellipseOf(line) ?? []).map((point) =>
+  const points = (ellipseOf(recommendation) ?? []).map((point) =>
     at(point)
       .map((v) => v.toFixed(3))
       .join(),
   );
-  const potted = balls.find(({ id }) => id === line.ball);
-  const pocket = line.kind === "direct" && pockets.find(({ name }) => name === line.pocket);
+  const potted = balls.find(({ id }) => id === recommendation.ball);
+  const pocket =
+    recommendation.kind === "direct" && pockets.find(({ name }) => name === recommendation.pocket);
   const [from, to] = potted && pocket ? [at(potted.position), at(pocket.center)] : [];
   const others = balls.filter(({ id }) => id !== cueBall);
   return svg(

@@ -140,7 +140,7 @@ function mountPlan(root: HTMLElement, store: Store, context: Context): void {
   }
 
   store.subscribe((now, before) => {
-    if (now.session.turn !== before.session.turn) showLegs(shown);
+    if (now.session.orientation !== before.session.orientation) showLegs(shown);
   });
 
   function clear(): void {

@@ -15,7 +15,7 @@ import { automatic } from "../document/strike-angles.ts";
 import { potOf } from "./chance-chip.ts";
 import { Desk } from "./desk/desk-client.ts";
 import DeskWorker from "./desk/desk-worker.ts?worker&inline";
-import { shotOf } from "./play-line.ts";
+import { shotOf } from "./aim-recommendation.ts";
 import { noiseOf } from "./analysed-position.ts";
 import { hidePreview, showAreas } from "./result-preview.ts";
 import { centimetres } from "./analyse-words.ts";

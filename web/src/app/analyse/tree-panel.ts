@@ -258,7 +258,7 @@ export function mountTree(
 
   store.subscribe((now, before) => {
     const [is, was] = [now.document, before.document];
-    const isTurned = now.session.turn !== before.session.turn;
+    const isTurned = now.session.orientation !== before.session.orientation;
     if (is.tree !== was.tree || is.study !== was.study || isTurned) show();
     else if (
       now.session.analysis.level !== before.session.analysis.level ||

@@ -2,12 +2,12 @@
 
 import type { Engine } from "../../engine/index.ts";
 import type { Viewer } from "../../viewer/index.ts";
-import type { FrameLoop } from "./frame-loop.ts";
+import type { DrawLoop } from "./draw-loop.ts";
 
 export interface Context {
   readonly engine: Engine;
   readonly viewer: Viewer;
-  readonly loop: FrameLoop;
+  readonly loop: DrawLoop;
   /** Shows a sentence for some seconds; screen readers read it at once. */
   announce(sentence: string): void;
   /** Whether the user prefers reduced motion at present. */

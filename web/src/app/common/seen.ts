@@ -8,7 +8,7 @@
 import type { PocketName, RailName } from "../../engine/index.ts";
 
 /** Quarter turns clockwise of the picture. */
-export type Turn = 0 | 1 | 2 | 3;
+export type Orientation = 0 | 1 | 2 | 3;
 
 type Place = readonly [column: number, row: number];
 
@@ -38,15 +38,15 @@ export type SeenPocket = PocketName | "top" | "bottom";
 
 export type SeenRail = RailName | "top-left" | "top-right" | "bottom-left" | "bottom-right";
 
-let presentTurn = (): Turn => 0;
+let presentOrientation = (): Orientation => 0;
 
-/** Names follow `present`, the turn of the picture. Texts that are kept must be made again when it changes. */
-export function followTurn(present: () => Turn): void {
-  presentTurn = present;
+/** Names follow `present`, the orientation of the picture. Texts that are kept must be made again when it changes. */
+export function followOrientation(present: () => Orientation): void {
+  presentOrientation = present;
 }
 
 /** The quarter turns of a picture in which +y points to (`dx`, `dy`), in pixels; y is down on a screen. */
-export function turnOf(dx: number, dy: number): Turn {
+export function orientationOf(dx: number, dy: number): Orientation {
   if (Math.abs(dx) > Math.abs(dy)) return dx > 0 ? 1 : 3;
   return dy < 0 ? 0 : 2;
 }
@@ -71,6 +71,6 @@ const COLUMNS = ["left", "", "right"];
 
 function turned([column, row]: Place): Place {
   let place: Place = [column, row];
-  for (let k = 0; k < presentTurn(); k += 1) place = [place[1], -place[0]];
+  for (let k = 0; k < presentOrientation(); k += 1) place = [place[1], -place[0]];
   return place;
 }

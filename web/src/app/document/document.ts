@@ -2,7 +2,7 @@
 
 import type { Noise, PocketName, Trace } from "../../engine/index.ts";
 import type { Area, Density } from "../../viewer/index.ts";
-import type { Turn } from "../common/seen.ts";
+import type { Orientation } from "../common/seen.ts";
 import type { SpeedUnit } from "../common/units.ts";
 import type { AimedShot } from "./aimed-shot.ts";
 import type { Game } from "./stored-game.ts";
@@ -52,7 +52,7 @@ export interface Refusal {
   /** Key in the shot file, such as `balls[3].position`; empty if the refusal concerns no key. */
   readonly place: string;
   /** The refused shot, which the page shows until the gesture ends; null afterwards. */
-  readonly attempt: AimedShot | null;
+  readonly shot: AimedShot | null;
 }
 
 /** A ball that the cue stays aimed to pot. */
@@ -118,7 +118,7 @@ export interface Analysis {
 }
 
 /** Lines to aim by. */
-export interface Guides {
+export interface Overlays {
   /** The tangent line and the natural angle of the first contact. */
   readonly contact: boolean;
   /** The numbers of a diamond system. */
@@ -131,7 +131,7 @@ export interface Session {
   readonly mode: "aim" | "replay";
   readonly replay: Replay;
   readonly analysis: Analysis;
-  readonly guides: Guides;
+  readonly overlays: Overlays;
   /** Id of the selected ball. */
   readonly selected: string | null;
   /** The pot at which the cue is aimed; null if it is aimed freely. */
@@ -139,7 +139,7 @@ export interface Session {
   readonly refusal: Refusal | null;
   readonly attempt: Attempt | null;
   /** How the picture shows the table; names of pockets and rails depend on it. */
-  readonly turn: Turn;
+  readonly orientation: Orientation;
   /** Fine adjustment: drags and keys have a tenth of their effect. */
   readonly fine: boolean;
 }
@@ -151,11 +151,11 @@ export const FIRST_SESSION: Session = {
   mode: "aim",
   replay: { trace: null, stroke: 0, time: 0, playing: false, rate: 1, sound: true },
   analysis: { level: "club", rules: null, preview: null, zone: null },
-  guides: { contact: false, diamonds: false },
+  overlays: { contact: false, diamonds: false },
   selected: null,
   lock: null,
   refusal: null,
   attempt: null,
-  turn: 0,
+  orientation: 0,
   fine: false,
 };

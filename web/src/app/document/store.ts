@@ -213,11 +213,11 @@ export class Store {
     );
   }
 
-  /** Ends a gesture: the next change is a new step of the history, and a refused attempt is dropped. */
+  /** Ends a gesture: the next change is a new step of the history, and a refused shot is dropped. */
   settle(): void {
     this.#history.settle();
     const { refusal } = this.#session;
-    if (refusal?.attempt) this.setSession({ refusal: { ...refusal, attempt: null } });
+    if (refusal?.shot) this.setSession({ refusal: { ...refusal, shot: null } });
   }
 
   undo(): boolean {
@@ -241,7 +241,7 @@ export class Store {
   }
 
   /** Changes a part of the session. */
-  setPart<Part extends "replay" | "analysis" | "guides">(
+  setPart<Part extends "replay" | "analysis" | "overlays">(
     part: Part,
     patch: Partial<Session[Part]>,
   ): void {
@@ -257,7 +257,7 @@ export class Store {
 
   /** Shows a refusal of something that was not tried. */
   refuse(message: string): void {
-    this.setSession({ refusal: { message, place: "", attempt: null } });
+    this.setSession({ refusal: { message, place: "", shot: null } });
   }
 
   /** @returns A function that ends the subscription. */
@@ -286,7 +286,7 @@ export class Store {
     } catch (error) {
       if (!(error instanceof CaromError)) throw error;
       const message = errorText(error, document.shot.balls);
-      const refusal = { message, place: error.place, attempt: document.shot };
+      const refusal = { message, place: error.place, shot: document.shot };
       this.#session = { ...this.#session, refusal };
       return false;
     }

@@ -101,7 +101,7 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
     const isSame =
       now.document === before.document &&
       now.session.mode === before.session.mode &&
-      now.session.turn === before.session.turn;
+      now.session.orientation === before.session.orientation;
     if (isSame) return;
     context.loop.input(root, show);
   });

@@ -118,7 +118,7 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
     // The call follows the aim.
     else if (
       document.game &&
-      (document.shot !== before.document.shot || session.turn !== before.session.turn)
+      (document.shot !== before.document.shot || session.orientation !== before.session.orientation)
     ) {
       context.loop.input(root, show);
     }

@@ -184,7 +184,7 @@ function mountSheet(root: HTMLElement, store: Store, context: Context): void {
     const isSame =
       now.document.game === before.document.game &&
       now.session.mode === before.session.mode &&
-      now.session.turn === before.session.turn;
+      now.session.orientation === before.session.orientation;
     if (!isSame) show();
   });
   show();

@@ -7,7 +7,7 @@ import { ballName } from "../common/shot-words.ts";
 import { azimuthOf } from "../document/strike-angles.ts";
 import { FINE } from "../document/strike-changes.ts";
 import { dragBall, isBeside } from "../layout/ball-drag.ts";
-import { turnTo } from "../pot/turn-to-pot.ts";
+import { aimWithSnap } from "../pot/aim-with-snap.ts";
 import { t } from "../words/translate.ts";
 import type { BallDrag, CueDrag, GestureState, Pointer } from "./gesture-state.ts";
 
@@ -42,7 +42,7 @@ export function turnCue(state: GestureState, drag: CueDrag, event: Pointer): voi
     (drag.azimuth ?? azimuthOf(store.document.shot.strike)) + swept * (fine ? FINE : 1);
   // Fine adjustment is for places beside the middle of a pocket.
   const zone = fine ? 0 : SNAP_PIXELS * degreesPerPixel(state, event, [x, y], point);
-  turnTo(store, drag.azimuth, Math.min(zone, WIDEST_SNAP), drag.group);
+  aimWithSnap(store, drag.azimuth, Math.min(zone, WIDEST_SNAP), drag.group);
 }
 
 /** Degrees by which a drag of one pixel turns the cue. */

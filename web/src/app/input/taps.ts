@@ -6,7 +6,7 @@ import { azimuthTo } from "../common/angles.ts";
 import { aimAt } from "../document/strike-changes.ts";
 import { canAim } from "../game/awaited-turn.ts";
 import { announceCall, tapBall, tapPocket } from "../game/calling.ts";
-import { isObjectBall } from "../pot/turn-to-pot.ts";
+import { isObjectBall } from "../pot/aim-with-snap.ts";
 import { t } from "../words/translate.ts";
 import type { Gesture, GestureState, Pointer } from "./gesture-state.ts";
 

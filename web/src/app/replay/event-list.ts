@@ -40,8 +40,8 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
     ),
   );
   let shown: Trace | null = null;
-  /** The turn of the picture as which rails and pockets are named. */
-  let named = store.session.turn;
+  /** The orientation of the picture as which rails and pockets are named. */
+  let named = store.session.orientation;
   let filter: string | null = null;
   let current: readonly number[] = [];
   only.addEventListener("change", () => store.setSession({})); // notifies all listeners
@@ -70,8 +70,8 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
     const { id } = trace.shot.balls[ball]!;
     setText(onlyLabel, t("events.only", { ball: ballName(id) }));
     const wanted = only.checked ? id : null;
-    const turn = store.session.turn;
-    const isSame = trace === shown && turn === named;
+    const orientation = store.session.orientation;
+    const isSame = trace === shown && orientation === named;
     if (!isSame) fill(trace);
     const rows = body.rows;
     if (!isSame || wanted !== filter) {
@@ -79,7 +79,7 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
         rows[i]!.hidden = wanted !== null && !balls.includes(wanted);
       });
     }
-    [shown, filter, named] = [trace, wanted, turn];
+    [shown, filter, named] = [trace, wanted, orientation];
     const now = latest(momentsOf(trace), time)?.events ?? [];
     if (now === current) return;
     for (const index of current) rows[index]!.removeAttribute("aria-current");

@@ -12,10 +12,10 @@ export class Paths {
   readonly group = new Group();
   readonly #ghosts = new Lines({ width: 1.8, opacity: 0.62, dash: [0.022, 0.014] });
   readonly #traces = new Lines({ width: 2.4, opacity: 0.92 });
-  readonly #guides = new Lines({ width: 1.3, opacity: 0.5 });
+  readonly #contactLines = new Lines({ width: 1.3, opacity: 0.5 });
   readonly #flights = new Lines({ width: 3, opacity: 0.95, dash: [0.007, 0.017] });
   readonly #shadows = new Lines({ width: 3.2, opacity: 0.42 });
-  readonly #all = [this.#shadows, this.#guides, this.#ghosts, this.#traces, this.#flights];
+  readonly #all = [this.#shadows, this.#contactLines, this.#ghosts, this.#traces, this.#flights];
   readonly #color = new Color();
   #paths: readonly BallPath[] = [];
   /** Time of the replay, s; null: whole paths. */
@@ -60,7 +60,7 @@ export class Paths {
   }
 
   #lines(style: BallPath["style"]): Lines {
-    if (style === "guide") return this.#guides;
+    if (style === "contact-line") return this.#contactLines;
     return style === "ghost" ? this.#ghosts : this.#traces;
   }
 

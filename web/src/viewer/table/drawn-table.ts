@@ -55,10 +55,10 @@ export class Table {
     this.#add(body.cloth, materials.cloth, { receives: true, order: -1 });
     this.#add(body.cushions, materials.cloth, { receives: true, casts: true });
     this.#add(body.wood, materials.wood, { receives: true });
-    this.#add(body.frame, materials.frame);
+    this.#add(body.apron, materials.apron);
     this.#add(body.pockets, materials.leather);
-    for (const part of [body.cloth, body.cushions, body.wood, body.frame, body.pockets]) {
-      const mesh = new Mesh(part, part === body.frame ? this.#deepMaterial : this.#depthMaterial);
+    for (const part of [body.cloth, body.cushions, body.wood, body.apron, body.pockets]) {
+      const mesh = new Mesh(part, part === body.apron ? this.#deepMaterial : this.#depthMaterial);
       mesh.layers.set(DEPTH);
       mesh.renderOrder = -3;
       this.#meshes.push(mesh);
@@ -88,7 +88,7 @@ export class Table {
 
   setPalette(palette: Palette): void {
     this.#materials.wood.color.set(palette.wood);
-    this.#materials.frame.color.set(palette.frame);
+    this.#materials.apron.color.set(palette.apron);
     this.#materials.floor.opacity = palette.floorShadow;
   }
 

@@ -15,7 +15,7 @@ const WEAVE_TILE = 0.11;
 const GRAIN_TILE = [0.85, 0.14] as const;
 
 /**
- * Moves the frame back in the depth buffer, by as much as it is steep. From above the sides of the legs are
+ * Moves the apron back in the depth buffer, by as much as it is steep. From above the sides of the legs are
  * nearly edge-on: their depth between two pixels spans half a metre, and without this single pixels of them
  * came out in front of the cloth, as dark lines near the corners.
  */
@@ -97,7 +97,7 @@ export class TableMaterials {
       gloss: 1,
     },
   );
-  readonly frame = this.#patterned(DEEP, this.#plain);
+  readonly apron = this.#patterned(DEEP, this.#plain);
   readonly leather = this.#patterned({ color: 0x3a322c }, this.#plain);
   readonly sights = this.#patterned(
     { color: 0xefe6d2, polygonOffset: true, polygonOffsetFactor: -1 },

@@ -1,4 +1,4 @@
-/** The body of a table: cloth, cushions, pockets, wood and frame as surfaces. */
+/** The body of a table: cloth, cushions, pockets, wood and apron as surfaces. */
 
 import type { BufferGeometry } from "three";
 import type { Geometry, Point } from "../viewer-types.ts";
@@ -42,7 +42,7 @@ const RIM_HEIGHT = 0.004;
 /** Rounding of the outer edge of the wood, and depth of the rail, m. */
 const WOOD_EDGE = 0.016;
 const RAIL_DEPTH = 0.05;
-/** Inset of the frame below the rails, and depth of its lower edge below the slate, m. */
+/** Inset of the apron below the rails, and depth of its lower edge below the slate, m. */
 const APRON_INSET = 0.014;
 const APRON_DEPTH = 0.2;
 /** Distance of a leg's axis from the nose lines, m. */
@@ -62,7 +62,7 @@ export interface Solid {
   shade: BufferGeometry;
   pockets: BufferGeometry;
   wood: BufferGeometry;
-  frame: BufferGeometry;
+  apron: BufferGeometry;
 }
 
 /** The surfaces over the ground plan of a table with rails. */
@@ -108,7 +108,7 @@ export function solid(geometry: Geometry, plan: Outline): Solid {
     shade: shade.geometry(),
     pockets: wells.geometry(),
     wood: wood(size, plan, height),
-    frame: frame(size, plan.reach),
+    apron: apron(size, plan.reach),
   };
 }
 
@@ -186,7 +186,7 @@ function wood(size: Point, plan: Outline, height: number): BufferGeometry {
 }
 
 /** Apron and legs. */
-function frame(size: Point, reach: number): BufferGeometry {
+function apron(size: Point, reach: number): BufferGeometry {
   const surface = new Surface();
   const radius = CORNER * reach;
   surface.bands(

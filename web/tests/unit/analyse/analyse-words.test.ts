@@ -1,5 +1,10 @@
 import { describe, expect, test } from "vitest";
-import { lineText, partsOf, strikeText, whyText } from "../../../src/app/analyse/analyse-words.ts";
+import {
+  recommendationText,
+  partsOf,
+  strikeText,
+  whyText,
+} from "../../../src/app/analyse/analyse-words.ts";
 import { pot } from "./recommendation.ts";
 
 const strike = { speed: 2, azimuth: 1, elevation: 0.03, side: 0, height: 0 };
@@ -18,18 +23,20 @@ describe("a strike in words", () => {
 
 describe("a line in words", () => {
   test("names ball, pocket, spin and speed", () => {
-    expect(lineText(pot())).toBe("Ball 9 into the top right pocket, centre ball, lag speed");
+    expect(recommendationText(pot())).toBe(
+      "Ball 9 into the top right pocket, centre ball, lag speed",
+    );
   });
 
   test("names the ball between in a combination", () => {
     const legs = [["cue", 0] as const, ["4", 0] as const, ["9", 0] as const];
     const line = pot({ more: { kind: "combination", legs } });
-    expect(lineText(line)).toMatch(/^Ball 9 by ball 4 into the top right pocket/);
+    expect(recommendationText(line)).toMatch(/^Ball 9 by ball 4 into the top right pocket/);
   });
 
   test("names a safety", () => {
     const safety = pot({ more: { kind: "safety", ball: null, pocket: null } });
-    expect(lineText(safety)).toMatch(/^Safety, /);
+    expect(recommendationText(safety)).toMatch(/^Safety, /);
   });
 });
 

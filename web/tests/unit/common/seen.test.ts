@@ -1,15 +1,25 @@
 /** Pockets and rails are named as the picture shows them. */
 
 import { afterEach, describe, expect, test } from "vitest";
-import { followTurn, seenPocket, seenRail, turnOf } from "../../../src/app/common/seen.ts";
+import {
+  followOrientation,
+  seenPocket,
+  seenRail,
+  orientationOf,
+} from "../../../src/app/common/seen.ts";
 
 afterEach(() => {
-  followTurn(() => 0);
+  followOrientation(() => 0);
 });
 
 describe("the turn of the picture", () => {
   test("follows the direction in which the table's length points", () => {
-    expect([turnOf(0, -5), turnOf(5, 1), turnOf(1, 5), turnOf(-5, 0)]).toEqual([0, 1, 2, 3]);
+    expect([
+      orientationOf(0, -5),
+      orientationOf(5, 1),
+      orientationOf(1, 5),
+      orientationOf(-5, 0),
+    ]).toEqual([0, 1, 2, 3]);
   });
 });
 
@@ -25,7 +35,7 @@ describe("an upright table", () => {
 
 describe("a table that lies with its far end to the right", () => {
   test("has the far right pocket at the bottom right, and a side pocket at the top", () => {
-    followTurn(() => 1);
+    followOrientation(() => 1);
     expect(seenPocket("top-right")).toBe("bottom-right");
     expect(seenPocket("top-left")).toBe("top-right");
     expect(seenPocket("left")).toBe("top");
@@ -33,7 +43,7 @@ describe("a table that lies with its far end to the right", () => {
   });
 
   test("has the foot rail on the right, and the halves of a long rail left and right", () => {
-    followTurn(() => 1);
+    followOrientation(() => 1);
     expect(seenRail("top")).toBe("right");
     expect(seenRail("left")).toBe("top");
     expect(seenRail("left-lower")).toBe("top-left");
@@ -43,7 +53,7 @@ describe("a table that lies with its far end to the right", () => {
 
 describe("a table seen from its far end", () => {
   test("has all places on the other side", () => {
-    followTurn(() => 2);
+    followOrientation(() => 2);
     expect(seenPocket("top-right")).toBe("bottom-left");
     expect(seenRail("left-lower")).toBe("right-upper");
   });

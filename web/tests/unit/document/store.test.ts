@@ -78,15 +78,15 @@ describe("refusals", () => {
     expect(store.undoLabel).toBe("aim");
     expect(store.ghost.trace!.hash).toBe(hash);
     expect(store.session.refusal).toMatchObject({ place: "balls[1].position" });
-    expect(store.session.refusal?.attempt?.balls[1]?.position).toEqual([0.51, 0.6]);
+    expect(store.session.refusal?.shot?.balls[1]?.position).toEqual([0.51, 0.6]);
   });
 
-  test("the end of a gesture drops the refused attempt, the next change drops its reason", () => {
+  test("the end of a gesture drops the refused shot, the next change drops its reason", () => {
     const store = fresh();
     expect(store.strike({ side: 0.7 }, "move the tip", "face")).toBe(false);
-    expect(store.session.refusal?.attempt?.strike.side).toBe(0.7);
+    expect(store.session.refusal?.shot?.strike.side).toBe(0.7);
     store.settle();
-    expect(store.session.refusal).toMatchObject({ attempt: null });
+    expect(store.session.refusal).toMatchObject({ shot: null });
     expect(store.session.refusal?.message).toContain("miscue");
     store.strike({ side: 0.3 }, "move the tip");
     expect(store.session.refusal).toBeNull();

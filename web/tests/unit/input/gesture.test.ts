@@ -1,7 +1,7 @@
 import { beforeEach, describe, expect, test, vi } from "vitest";
 import { load, type Point } from "../../../src/engine/index.ts";
 import type { Context } from "../../../src/app/common/context.ts";
-import { FrameLoop } from "../../../src/app/common/frame-loop.ts";
+import { DrawLoop } from "../../../src/app/common/draw-loop.ts";
 import { toDegrees, toRadians } from "../../../src/app/common/angles.ts";
 import { documentOf } from "../../../src/app/document/shot-file.ts";
 import { Store } from "../../../src/app/document/store.ts";
@@ -70,7 +70,7 @@ beforeEach(() => {
   isOpen = true;
   viewer.controls = true;
   viewer.loupe.mockClear();
-  const loop = new FrameLoop(
+  const loop = new DrawLoop(
     () => false,
     () => 0,
   );

@@ -6,7 +6,7 @@ function run(governor: Governor, ms: number, frames: number, start: { now: numbe
   let changes = 0;
   for (let i = 0; i < frames; i += 1) {
     start.now += ms;
-    if (governor.frame(start.now, true)) changes += 1;
+    if (governor.pictureAt(start.now, true)) changes += 1;
   }
   return changes;
 }
@@ -57,9 +57,9 @@ test("fast frames do not raise the quality above the best allowed level", () => 
 
 test("the times between isolated pictures are ignored", () => {
   const governor = new Governor(0);
-  for (let i = 0; i < 500; i += 1) governor.frame(120 * i, false);
+  for (let i = 0; i < 500; i += 1) governor.pictureAt(120 * i, false);
   expect(governor.level).toBe(0);
-  expect(governor.frameMs).toBe(0);
+  expect(governor.pictureMs).toBe(0);
 });
 
 test("a higher level that is too slow is tried less and less often", () => {
@@ -78,7 +78,7 @@ test("a higher level that is too slow is tried less and less often", () => {
 
 test("the reported frame time is the median", () => {
   const governor = new Governor(0);
-  expect(governor.frameMs).toBe(0);
+  expect(governor.pictureMs).toBe(0);
   run(governor, 17, 40, { now: 0 });
-  expect(governor.frameMs).toBe(17);
+  expect(governor.pictureMs).toBe(17);
 });

@@ -60,7 +60,7 @@ export function mountExplanation(root: HTMLElement, store: Store, context: Conte
   store.subscribe((now, before) => {
     if (now.document.game !== before.document.game || now.session.mode !== before.session.mode) {
       show();
-    } else if (now.session.turn !== before.session.turn) setText(text, words());
+    } else if (now.session.orientation !== before.session.orientation) setText(text, words());
   });
   show();
 }

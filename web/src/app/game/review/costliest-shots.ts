@@ -122,7 +122,7 @@ export function mountCostliest(root: HTMLElement, store: Store, context: Context
   store.subscribe((now, before) => {
     if (now.document.game !== before.document.game || now.session.mode !== before.session.mode) {
       show();
-    } else if (!root.hidden && now.session.turn !== before.session.turn)
+    } else if (!root.hidden && now.session.orientation !== before.session.orientation)
       changeUnpressed(list, fill);
   });
   show();

@@ -3,7 +3,7 @@ import { load } from "../../../src/engine/index.ts";
 import { documentOf } from "../../../src/app/document/shot-file.ts";
 import { Store } from "../../../src/app/document/store.ts";
 import { azimuthOf } from "../../../src/app/document/strike-angles.ts";
-import { turnTo } from "../../../src/app/pot/turn-to-pot.ts";
+import { aimWithSnap } from "../../../src/app/pot/aim-with-snap.ts";
 
 const engine = await load();
 
@@ -27,7 +27,7 @@ function drag(store: Store, from: number, to: number) {
   const seen = new Set<number>();
   let moves = 0;
   for (let azimuth = from; azimuth <= to; azimuth += 0.25, moves += 1) {
-    turnTo(store, azimuth, 1, "drag");
+    aimWithSnap(store, azimuth, 1, "drag");
     expect(store.ghost.trace).not.toBeNull();
     seen.add(aimedAt(store));
   }
@@ -50,11 +50,11 @@ test("the cue stays in a pot within the zone, and leaves it where there is none"
   const store = new Store(engine, documentOf(SHOT));
   const [pot] = [...drag(store, 75, 95).seen].filter((azimuth) => azimuth % 0.25 !== 0);
   for (const away of [0, 0.9, -0.9]) {
-    turnTo(store, pot! + away, 1, "drag");
+    aimWithSnap(store, pot! + away, 1, "drag");
     expect(store.session.lock?.solved).toBe(true);
     expect(aimedAt(store)).toBe(pot);
   }
-  turnTo(store, pot! + 0.2, 0, "drag");
+  aimWithSnap(store, pot! + 0.2, 0, "drag");
   expect(aimedAt(store)).toBeCloseTo(pot! + 0.2, 3);
   expect(store.session.lock).toBeNull();
 });

@@ -11,7 +11,7 @@
  */
 export type Tick = (elapsed: number) => boolean;
 
-export class FrameLoop {
+export class DrawLoop {
   readonly #draw: () => boolean;
   readonly #request: (callback: FrameRequestCallback) => number;
   readonly #inputs = new Map<unknown, () => void>();
@@ -37,7 +37,7 @@ export class FrameLoop {
     if (this.#pending) return;
     this.#pending = true;
     this.#request((now) => {
-      this.#frame(now);
+      this.#drawNow(now);
     });
   }
 
@@ -65,7 +65,7 @@ export class FrameLoop {
     this.invalidate();
   }
 
-  #frame(now: number): void {
+  #drawNow(now: number): void {
     const elapsed = this.#last === null ? 0 : (now - this.#last) / 1000;
     // `#pending` stays true until the picture is drawn: changes requested now need no other frame.
     this.flush();

@@ -3,9 +3,12 @@ import { load, type ShotFile } from "../../../src/engine/index.ts";
 import type { ThinkerWorker } from "../../../src/engine/thinker-client.ts";
 import { serve } from "../../../src/engine/thinker-server.ts";
 import type { FromThinker, ThinkerPort, ToThinker } from "../../../src/engine/thinker-protocol.ts";
-import { type Found, Lines } from "../../../src/app/analyse/line-search.ts";
+import {
+  type Found,
+  RecommendationSearch,
+} from "../../../src/app/analyse/recommendation-search.ts";
 import { gamesFor, positionOf } from "../../../src/app/analyse/analysed-position.ts";
-import { shotOf } from "../../../src/app/analyse/play-line.ts";
+import { shotOf } from "../../../src/app/analyse/aim-recommendation.ts";
 import { documentOf } from "../../../src/app/document/shot-file.ts";
 import { Store } from "../../../src/app/document/store.ts";
 import { startGame } from "../../../src/app/game/game-actions.ts";
@@ -26,7 +29,7 @@ function file(ids: readonly string[], x = 0.2): ShotFile {
 
 const storeOf = (shot: ShotFile) => new Store(referee(engine), documentOf(shot));
 
-const open: Lines[] = [];
+const open: RecommendationSearch[] = [];
 afterEach(() => {
   for (const lines of open.splice(0)) lines.close();
 });
@@ -39,9 +42,9 @@ function worker(): ThinkerWorker {
   return Object.assign(port1, { onerror: null, terminate }) as unknown as ThinkerWorker;
 }
 
-/** Lines with small budgets, and what they find until the last search of a position is done. */
+/** RecommendationSearch with small budgets, and what they find until the last search of a position is done. */
 function searching(): {
-  readonly lines: Lines;
+  readonly lines: RecommendationSearch;
   readonly all: Found[];
   readonly done: () => Promise<Found>;
 } {
@@ -54,7 +57,7 @@ function searching(): {
   const refused = (message: string) => {
     throw new Error(message);
   };
-  const lines = new Lines(worker, engine, { found, refused }, [300, 900]);
+  const lines = new RecommendationSearch(worker, engine, { found, refused }, [300, 900]);
   open.push(lines);
   return { lines, all, done: () => new Promise((done) => (resolve = done)) };
 }

@@ -7,7 +7,7 @@ import { firstContactEvent } from "./first-contact.ts";
 const LENGTH = 0.7;
 
 /** Directions of the cue ball behind its first contact, with the place where they begin. */
-export interface Guides {
+export interface ContactLines {
   readonly from: Point;
   /** Unit vectors. */
   readonly tangent: Point;
@@ -15,13 +15,13 @@ export interface Guides {
 }
 
 /**
- * The guides of the first contact; null if the cue ball meets no ball, or meets it full.
+ * The lines of the first contact; null if the cue ball meets no ball, or meets it full.
  *
  * For equal balls without friction and loss a cue ball that slides leaves along the tangent of the contact
  * with v·sin(cut). One that rolls keeps the spin of its roll, and rolls on with 5/7 of that velocity and 2/7
  * of the velocity before (D. G. Alciatore, "The amazing world of billiards physics", proof TP 3.3).
  */
-export function guidesOf(trace: Trace): Guides | null {
+export function contactLinesOf(trace: Trace): ContactLines | null {
   const found = firstContactEvent(trace);
   if (!found) return null;
   const { event, own, other } = found;

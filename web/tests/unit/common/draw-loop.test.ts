@@ -1,11 +1,11 @@
 import { expect, test, vi } from "vitest";
-import { FrameLoop } from "../../../src/app/common/frame-loop.ts";
+import { DrawLoop } from "../../../src/app/common/draw-loop.ts";
 
 /** A loop whose frames the test triggers. */
 function stepped(draw: () => boolean = () => false) {
   const waiting: FrameRequestCallback[] = [];
   const drawn = vi.fn(draw);
-  const loop = new FrameLoop(drawn, (callback) => waiting.push(callback));
+  const loop = new DrawLoop(drawn, (callback) => waiting.push(callback));
   let now = 0;
   const frame = (milliseconds = 16) => {
     now += milliseconds;

@@ -1,7 +1,7 @@
 /** The tangent line and the natural angle, beside what the engine's balls do. */
 
 import { beforeAll, expect, test } from "vitest";
-import { guidesOf, lineFrom } from "../../../src/app/pot/guide-lines.ts";
+import { contactLinesOf, lineFrom } from "../../../src/app/pot/contact-lines.ts";
 import { type Engine, load, type ShotFile, type Trace } from "../../../src/engine/index.ts";
 
 let engine: Engine;
@@ -43,12 +43,12 @@ function velocities(trace: Trace): readonly (readonly [number, number, number])[
 test("a cue ball that slides without spin leaves along the tangent line", () => {
   const trace = cut(0, 5);
   // The cloth has given the cue ball a little follow, which acts later.
-  expect(angle(velocities(trace)[0]!)).toBeCloseTo(angle(guidesOf(trace)!.tangent), 6);
+  expect(angle(velocities(trace)[0]!)).toBeCloseTo(angle(contactLinesOf(trace)!.tangent), 6);
 });
 
 test("a cue ball that rolls leaves by the natural angle", () => {
   const trace = cut(0.4, 1);
-  expect(angle(velocities(trace)[1]!)).toBeCloseTo(angle(guidesOf(trace)!.natural), 3);
+  expect(angle(velocities(trace)[1]!)).toBeCloseTo(angle(contactLinesOf(trace)!.natural), 3);
 });
 
 test("a full hit has no tangent line", () => {
@@ -61,7 +61,7 @@ test("a full hit has no tangent line", () => {
     ],
     strike: { ball: "cue", speed: 2, azimuth_deg: 90, elevation_deg: 0 },
   };
-  expect(guidesOf(engine.shot(file).simulate())).toBeNull();
+  expect(contactLinesOf(engine.shot(file).simulate())).toBeNull();
 });
 
 test("a line ends at the edge of the cloth", () => {

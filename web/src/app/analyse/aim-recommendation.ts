@@ -6,7 +6,7 @@ import { round4 } from "../common/angles.ts";
 import type { AimedShot } from "../document/document.ts";
 import { lockOf } from "../document/pot-lock.ts";
 import type { Store } from "../document/store.ts";
-import { lineText } from "./analyse-words.ts";
+import { recommendationText } from "./analyse-words.ts";
 import { inSentence, t } from "../words/translate.ts";
 
 /** The aimed shot with the strike of a play, and with its cue ball if that is in hand. */
@@ -37,10 +37,10 @@ export function readShot(engine: Engine, shot: AimedShot, play: PlannedPlay): Sh
   }
 }
 
-/** Aims a line. In a game it is called too. @returns Whether it was accepted. */
-export function aimLine(store: Store, line: Recommendation): boolean {
-  const { play, ball, pocket } = line;
-  const label = t("change.line", { line: inSentence(lineText(line)) });
+/** Aims a recommendation. In a game it is called too. @returns Whether it was accepted. */
+export function aimRecommendation(store: Store, recommendation: Recommendation): boolean {
+  const { play, ball, pocket } = recommendation;
+  const label = t("change.line", { line: inSentence(recommendationText(recommendation)) });
   const accepted = store.apply(
     ({ shot, game }) => ({
       shot: shotOf(shot, play),

@@ -16,7 +16,7 @@ export function isObjectBall(store: Store, id: string | null): id is string {
  * Turns the cue to `azimuth`, or into a pot within `zone` degrees of it. The shot that is then shown is the
  * only one that is simulated, except when the cue clicks into another pot.
  */
-export function turnTo(store: Store, azimuth: number, zone: number, group: string): void {
+export function aimWithSnap(store: Store, azimuth: number, zone: number, group: string): void {
   const { lock } = store.session;
   const isInPot = lock?.solved === true && lock.kind === "direct";
   if (isInPot && apart(azimuthOf(store.document.shot.strike), azimuth) <= zone) return;

@@ -1,9 +1,9 @@
 /**
  * The search for the best plays of a position, in workers.
  *
- * Two workers look at every position: one with a small budget, whose lines come first, and one with a
- * large budget, whose lines replace them. So a search that is no longer wanted, which ends only with its
- * round, never delays the first lines of the next position.
+ * Two workers look at every position: one with a small budget, whose plays come first, and one with a
+ * large budget, whose plays replace them. So a search that is no longer wanted, which ends only with its
+ * round, never delays the first plays of the next position.
  */
 
 import type { Analysis, Engine, Recommendation } from "../../engine/index.ts";
@@ -11,8 +11,8 @@ import { connectThinker, type Thinker, type ThinkerWorker } from "../../engine/t
 import { errorText } from "../common/refusals.ts";
 import type { Position } from "./analysed-position.ts";
 
-/** Lines that are shown. */
-export const LINES = 5;
+/** Recommendations that are shown. */
+export const SHOWN = 5;
 
 /** Simulated shots of the two searches: about 50 ms, and 600 ms in the middle of a game. */
 export const BUDGETS: readonly number[] = [600, 8000];
@@ -27,21 +27,21 @@ export interface Found {
   readonly elapsed: number;
 }
 
-export interface LinesListener {
+export interface RecommendationListener {
   found: (found: Found) => void;
   refused: (message: string) => void;
 }
 
-export class Lines {
+export class RecommendationSearch {
   readonly #searches: readonly Search[];
-  readonly #listener: LinesListener;
+  readonly #listener: RecommendationListener;
   #asked: { readonly position: Position; readonly at: number; depth: number } | null = null;
 
   /** @param start Starts a worker that runs the engine's thinker. */
   constructor(
     start: () => ThinkerWorker,
     engine: Pick<Engine, "module">,
-    listener: LinesListener,
+    listener: RecommendationListener,
     budgets: readonly number[] = BUDGETS,
   ) {
     this.#listener = listener;
@@ -119,7 +119,7 @@ class Search {
       try {
         const { record, noise } = position;
         const thinker = await this.#thinker;
-        const analysis = await thinker.explain(record, { noise, count: LINES });
+        const analysis = await thinker.explain(record, { noise, count: SHOWN });
         if (!analysis.interrupted || position === this.#wanted)
           this.#listener.found(analysis, position);
       } catch (error) {
