@@ -13,8 +13,8 @@ use crate::clock::Cost;
 pub struct Execution {
     /// The strike with its errors, as it was played.
     pub strike: Strike,
-    /// Where a cue ball in hand was put (file frame, m). It differs from the intended place only if
-    /// the player saw the balls with errors and another ball was in the way.
+    /// Where a cue ball in hand was put (file coordinates, m). It differs from the intended place
+    /// only if the player saw the balls with errors and another ball was in the way.
     pub cue_ball: Option<[f64; 2]>,
     /// The contacts that clung.
     pub cling: Cling,

@@ -12,7 +12,7 @@ use carom_rules::{BallIndex, FrameBall, StateBytes, through_degrees};
 use crate::config::Config;
 use crate::episode::{EpisodeStart, NoisyStrike, check_same_place};
 
-/// A place inside every table (file frame, m), for the only ball of the base shot.
+/// A place inside every table (file coordinates, m), for the only ball of the base shot.
 const INSIDE: [f64; 2] = [0.25, 0.25];
 
 /// A table with balls, without rules.

@@ -18,7 +18,7 @@ pub(crate) struct NoisyStrike {
     pub(crate) actual: Strike,
     /// The contacts that cling.
     pub(crate) cling: Cling,
-    /// Where a cue ball in hand is placed before the strike (file frame, m).
+    /// Where a cue ball in hand is placed before the strike (file coordinates, m).
     pub(crate) cue_ball: Option<[f64; 2]>,
     /// The call; `None` for the call that is made for the player.
     pub(crate) call: Option<Call>,
@@ -55,9 +55,11 @@ pub(crate) const UNPLAYABLE: &str = "a shot could not be played";
 /// Where an episode starts, in place of its own start.
 #[derive(Clone, Debug)]
 pub enum EpisodeStart {
-    /// From the balls of a shot on the same table with the same physics, as [`Frame::resume_at`] does.
+    /// From the balls of a shot on the same table with the same physics, as [`Frame::resume_at`]
+    /// does.
     Shot(Shot),
-    /// From a frame of the same game on the same table with the same physics, whatever it asks for next.
+    /// From a frame of the same game on the same table with the same physics, whatever it asks for
+    /// next.
     Frame(Box<Frame>),
 }
 
@@ -78,7 +80,7 @@ pub(crate) trait Episode: Send + Sync {
     fn base(&self) -> &Shot;
     /// The balls, on the table or not.
     fn balls(&self) -> &[FrameBall];
-    /// Centre of `ball` (file frame, m); none if it is not on the table.
+    /// Centre of `ball` (file coordinates, m); none if it is not on the table.
     fn place(&self, ball: BallIndex) -> Option<[f64; 2]>;
     /// The shot that comes next; none when the episode is over.
     fn turn(&self) -> Option<&Turn>;
@@ -117,8 +119,8 @@ pub(crate) trait Episode: Send + Sync {
     fn frame(&self) -> Option<&Frame> {
         None
     }
-    /// Takes a player's answer to a choice, or its concession (`None`), and answers every choice that
-    /// follows from it, except those of the player. After an error the episode is over.
+    /// Takes a player's answer to a choice, or its concession (`None`), and answers every choice
+    /// that follows from it, except those of the player. After an error the episode is over.
     fn choose(&mut self, _choice: Option<Choice>) -> Result<ShotResult, Error> {
         Err(ErrorKind::Unsupported.at("choice", "the task has no referee", "play a shot"))
     }
@@ -134,7 +136,8 @@ pub(crate) trait Episode: Send + Sync {
     fn boxed(&self) -> Box<dyn Episode>;
 }
 
-/// An error if `start` is on another table than `base` or has other physics, unless `config` draws them.
+/// An error if `start` is on another table than `base` or has other physics, unless `config` draws
+/// them.
 pub(crate) fn check_same_place(base: &Shot, start: &Shot, config: &Config) -> Result<(), Error> {
     let wrong = |what: &str, key: &str| {
         let remedy = format!("make the environment with {key}=, or give balls for its own");
@@ -164,7 +167,7 @@ impl dyn Episode + '_ {
         self.balls()[usize::from(ball)].ball.radius
     }
 
-    /// The other balls on the table: index, centre (file frame, m), radius (m).
+    /// The other balls on the table: index, centre (file coordinates, m), radius (m).
     pub(crate) fn others(
         &self,
         ball: BallIndex,
@@ -175,7 +178,7 @@ impl dyn Episode + '_ {
             .filter_map(|(i, other)| self.place(i).map(|place| (i, place, other.ball.radius)))
     }
 
-    /// The default elevation (rad) of `strike` on the ball `cue` at `place` (file frame, m).
+    /// The default elevation (rad) of `strike` on the ball `cue` at `place` (file coordinates, m).
     pub(crate) fn default_elevation(
         &self,
         cue: BallIndex,

@@ -25,8 +25,8 @@ const TRIES: u32 = 1000;
 /// (Vogel 1979).
 const GOLDEN_ANGLE: f64 = 2.399_963_229_728_653;
 
-/// Whether a ball of `radius` (m) at `place` (file frame, m) is on the bed, clear of holes and
-/// cushions, and inside the nose lines.
+/// Whether a ball of `radius` (m) at `place` (file coordinates, m) is on the bed, clear of holes
+/// and cushions, and inside the nose lines.
 fn is_on_bed(table: &Table, place: [f64; 2], radius: f64) -> bool {
     let reach = table.reach(radius);
     let inside = |x: f64, size: f64| (reach..=size - reach).contains(&x);

@@ -18,8 +18,8 @@ pub struct Recommendation {
     pub play: Play,
     /// What it does without errors.
     pub kind: PlayKind,
-    /// The balls on the way to the pocket, first the cue ball, and the cushions that each meets without
-    /// errors; empty unless the kind is [`PlayKind::Pot`].
+    /// The balls on the way to the pocket, first the cue ball, and the cushions that each meets
+    /// without errors; empty unless the kind is [`PlayKind::Pot`].
     pub legs: Vec<PlayedLeg>,
     /// The ball that falls without errors, and its pocket.
     pub pot: Option<(BallIndex, PocketName)>,
@@ -35,8 +35,8 @@ pub struct Recommendation {
     pub win_if_kept: Option<f64>,
     /// The same if the player does not.
     pub win_if_missed: Option<f64>,
-    /// Mean (m) and covariance (m²) of the cue ball's place of rest, file frame, where it stayed on
-    /// the table.
+    /// Mean (m) and covariance (m²) of the cue ball's place of rest, file coordinates, where it
+    /// stayed on the table.
     pub leave: Moments,
 }
 

@@ -18,14 +18,15 @@ use crate::targets::Targets;
 /// a seventh of the speed.
 pub(crate) const THINNEST: f64 = 0.139;
 /// The width of a pocket as counted, over that of geometry: a ball that touches a jaw or a facing
-/// often falls. Fitted once, as [`FALLS`], to 2700 plays of 60 frames of eight-ball at the Olympiad's
-/// noise, with 1500 simulations a decision; each play was counted 90 times.
+/// often falls. Fitted once, as [`FALLS`], to 2700 plays of 60 frames of eight-ball at the
+/// Olympiad's noise, with 1500 simulations a decision; each play was counted 90 times.
 const REAL_WIDTH: f64 = 1.5;
 /// Share of the balls on the way into a pocket that fall, without and with a cushion before: the
 /// errors of speed and spin make others miss.
 const FALLS: [f64; 2] = [0.98, 0.92];
-/// Tangents of the angle between a cushion and a ball that leaves it, over that of the ball that comes: of a mirror,
-/// and of a rolling ball that meets the cushion softly. The first one whose way is free makes the line of a kick.
+/// Tangents of the angle between a cushion and a ball that leaves it, over that of the ball that
+/// comes: of a mirror, and of a rolling ball that meets the cushion softly. The first one whose
+/// way is free makes the line of a kick.
 const REBOUNDS: [f64; 3] = [1.0, 0.7, 0.5];
 /// The error of direction (rad) that no noise model counts: throw and swerve that vary with the
 /// errors of speed and spin. A twentieth of a degree. Estimated.
@@ -66,7 +67,7 @@ pub struct LineLeg {
     pub ball: BallIndex,
     /// Number of cushions that it meets.
     pub cushions: u8,
-    /// Where its centre must arrive, m, engine's frame.
+    /// Where its centre must arrive, m, engine's coordinates.
     pub target: Vec2,
 }
 
@@ -116,7 +117,8 @@ impl Line {
     }
 
     /// The least speed (m/s) of the cue ball at the first contact with which the object ball
-    /// reaches the pocket against a rolling deceleration `rolling` (m/s²), without losses at cushions.
+    /// reaches the pocket against a rolling deceleration `rolling` (m/s²), without losses at
+    /// cushions.
     pub fn least_speed(&self, rolling: f64) -> f64 {
         // A ball that is hit while it does not roll keeps 5/7 of its speed when it rolls.
         const ROLLS: f64 = 5.0 / 7.0;
@@ -124,8 +126,8 @@ impl Line {
     }
 }
 
-/// The probability that a ball falls if the cue ball's direction may be wrong by `tolerance` and has
-/// the standard deviation `error` (rad).
+/// The probability that a ball falls if the cue ball's direction may be wrong by `tolerance` and
+/// has the standard deviation `error` (rad).
 pub(crate) fn chance_within(tolerance: f64, error: f64) -> f64 {
     libm::erf(REAL_WIDTH * tolerance / (SQRT_2 * error))
 }
@@ -227,7 +229,8 @@ fn kick(
 ) -> Option<Line> {
     let window = scene.window(object.center, object.radius, pocket)?;
     let target = target(object.center, &window);
-    // Seen from behind the cushion the cue ball comes from nearer to it if it rebounds at a flatter angle.
+    // Seen from behind the cushion the cue ball comes from nearer to it if it rebounds at a
+    // flatter angle.
     let mirrored = side.mirror(scene, cue.center, cue.radius);
     let near = cue.center + (mirrored - cue.center) * (0.5 * (1.0 + rebound));
     let image = SceneBall { center: near, ..cue };

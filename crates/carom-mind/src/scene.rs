@@ -1,6 +1,6 @@
 //! The balls of a frame as lines of aim see them: circles on a plane, and the pockets' mouths.
 //!
-//! All positions are in the engine's frame: the origin is the table's centre.
+//! All positions are in the engine's coordinates: the origin is the table's centre.
 
 use carom::Table;
 use carom::math::{Vec2, asin, sqrt};
@@ -133,8 +133,8 @@ impl<'a> Scene<'a> {
         Some(Window { way, half_width, distance })
     }
 
-    /// Whether a ball of `radius` can lie at `place` (m) without touching a ball other than those in
-    /// `except`.
+    /// Whether a ball of `radius` can lie at `place` (m) without touching a ball other than those
+    /// in `except`.
     pub fn is_clear_place(&self, place: Vec2, radius: f64, except: &[BallIndex]) -> bool {
         self.balls().iter().all(|ball| {
             let reach = radius + ball.radius + SPARE;
@@ -150,8 +150,8 @@ impl<'a> Scene<'a> {
     }
 }
 
-/// The direction, a unit vector, of a line that passes the point `jaw` at `clearance` (m) on its left; on its
-/// right, if the clearance is negative.
+/// The direction, a unit vector, of a line that passes the point `jaw` at `clearance` (m) on its
+/// left; on its right, if the clearance is negative.
 fn way_past(jaw: Vec2, clearance: f64) -> Vec2 {
     let inverse = 1.0 / sqrt(jaw.length_squared());
     let unit = jaw * inverse;

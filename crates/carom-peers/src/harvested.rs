@@ -133,7 +133,7 @@ impl Harvest {
                 }
                 Some((_, TableFeature::Cushion(_))) => &mut self.flight_cushion,
                 Some((_, TableFeature::Lip(_) | TableFeature::Depth(_))) => &mut self.flight_hole,
-                Some((_, TableFeature::Edge)) => &mut self.flight_edge,
+                Some((_, TableFeature::Border)) => &mut self.flight_edge,
                 _ => return,
             }
         } else if path.path.position.z != radius {

@@ -1,8 +1,8 @@
 //! Where to aim: first by geometry, then by simulation.
 //!
-//! Geometry gives the ghost ball (where the cue ball must be to send a ball along a line) and mirror
-//! images (where a target appears behind a cushion). It ignores throw, squirt, slip and the effect of
-//! spin at a cushion. [`refine`] corrects for these by playing the shot.
+//! Geometry gives the ghost ball (where the cue ball must be to send a ball along a line) and
+//! mirror images (where a target appears behind a cushion). It ignores throw, squirt, slip and the
+//! effect of spin at a cushion. [`refine`] corrects for these by playing the shot.
 
 use carom::Shot;
 use carom::math::{Vec2, asin, atan2};
@@ -19,8 +19,8 @@ const LEAST_STEP: f64 = 1e-5;
 /// Largest number of plays in one refinement: a few milliseconds.
 pub(crate) const MOST_PLAYS: u32 = 90;
 
-/// First step to the side of an azimuth that meets the goal, rad, and the farthest that is searched:
-/// 0.01° and 3°.
+/// First step to the side of an azimuth that meets the goal, rad, and the farthest that is
+/// searched: 0.01° and 3°.
 const FIRST_WIDTH: f64 = 2e-4;
 const MOST_WIDTH: f64 = 0.05;
 /// Halvings of the last step, which locate the edge to a sixteenth of it.
@@ -44,8 +44,8 @@ pub(crate) fn azimuths(shot: &Shot, goal: &Goal) -> Vec<f64> {
     found
 }
 
-/// The azimuths (rad) of straight lines to the ball that the goal names. Massés start at an angle to
-/// them.
+/// The azimuths (rad) of straight lines to the ball that the goal names. Massés start at an angle
+/// to them.
 pub(crate) fn straight_azimuths(shot: &Shot, goal: &Goal) -> Vec<f64> {
     let geometry = AimGeometry::new(shot);
     let mut points = Vec::new();
@@ -74,7 +74,7 @@ pub(crate) fn straight(shot: &Shot, ball: usize, pocket: usize) -> f64 {
     direction(geometry.cue_ball(), ghost)
 }
 
-/// The balls of a shot, in the engine's frame, and lines of aim between them.
+/// The balls of a shot, in the engine's coordinates, and lines of aim between them.
 struct AimGeometry<'a> {
     shot: &'a Shot,
     cue: usize,
@@ -312,7 +312,8 @@ pub(crate) fn center(tester: &mut GoalTester<'_>, found: TriedStrike) -> TriedSt
     let strike = tester.turned(&found.strike, 0.5 * (left - right));
     match tester.play(&strike) {
         Some(attempt) if attempt.is_met() => TriedStrike { strike, attempt },
-        // The azimuths that meet the goal are not contiguous, and their middle is between two parts.
+        // The azimuths that meet the goal are not contiguous, and their middle is between two
+        // parts.
         _ => found,
     }
 }

@@ -13,7 +13,7 @@ use crate::grid::{check_cells, each_cell};
 use crate::maps::{FASTEST_BALL, check_each, check_has_edges};
 use crate::progress::Progress;
 
-/// A contact with a cushion: its rail, and the ball's centre in the file's frame, m.
+/// A contact with a cushion: its rail, and the ball's centre in the file's coordinates, m.
 pub type CushionContact = (Rail, [f64; 2]);
 
 /// The strikes of a kick table: every azimuth with every speed and every side.
@@ -29,14 +29,14 @@ pub struct Kicks<'a> {
     pub height: f64,
 }
 
-/// The first `most` cushion contacts of the struck ball of `shot` before it meets a jaw, with no other
-/// ball on the table. There is one entry for each cell, ordered by azimuth, then speed, then side. The
-/// elevation is that of the shot's own strike; if that is the default, it is the default of each cell,
-/// without the other balls. Cells that were not reached before `progress` was stopped are empty.
+/// The first `most` cushion contacts of the struck ball of `shot` before it meets a jaw, with no
+/// other ball on the table. There is one entry for each cell, ordered by azimuth, then speed, then
+/// side. The elevation is that of the shot's own strike; if that is the default, it is the default
+/// of each cell, without the other balls. Cells that were not reached before `progress` was
+/// stopped are empty.
 ///
-/// # Errors
-/// [`Error::Input`] without a strike, for cloth without cushions, for strikes that cannot be played, and
-/// for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) contacts.
+/// # Errors [`Error::Input`] without a strike, for cloth without cushions, for strikes that cannot
+/// be played, and for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) contacts.
 pub fn kick_table(
     shot: &Shot,
     kicks: &Kicks<'_>,
@@ -69,13 +69,12 @@ pub fn kick_table(
     })
 }
 
-/// The same as [`kick_table`] for ball number `ball` of `shot`, which starts with each speed (m/s) in
-/// each direction (rad) and with the spin that it has in `shot`. The entries are ordered by azimuth,
-/// then speed.
+/// The same as [`kick_table`] for ball number `ball` of `shot`, which starts with each speed (m/s)
+/// in each direction (rad) and with the spin that it has in `shot`. The entries are ordered by
+/// azimuth, then speed.
 ///
-/// # Errors
-/// [`Error::Input`] for a ball that does not exist, for cloth without cushions, for speeds out of range,
-/// and for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) contacts.
+/// # Errors [`Error::Input`] for a ball that does not exist, for cloth without cushions, for
+/// speeds out of range, and for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) contacts.
 pub fn bank_table(
     shot: &Shot,
     ball: usize,
@@ -156,7 +155,7 @@ impl Recorder for CushionRecorder<'_> {
         if self.jaw || self.contacts.len() == self.most {
             return;
         }
-        let Vec3 { x, y, .. } = self.shot.to_file_frame(0, &event.before[0]).position;
+        let Vec3 { x, y, .. } = self.shot.to_file_coordinates(0, &event.before[0]).position;
         self.contacts.push((cushion.rail, [x, y]));
     }
 }

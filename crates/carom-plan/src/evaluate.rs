@@ -1,12 +1,12 @@
 //! The results of a strike that a player intends but does not hit exactly.
 //!
 //! Variants of the strike are drawn as described in [`carom::noise`] and simulated in rounds of
-//! [`VARIANTS_PER_ROUND`]. After every round the results may be precise enough to stop. Rounds do not
-//! depend on the number of threads, so the results do not either.
+//! [`VARIANTS_PER_ROUND`]. After every round the results may be precise enough to stop. Rounds do
+//! not depend on the number of threads, so the results do not either.
 //!
-//! Stopping as soon as an interval is short enough makes its true confidence level slightly lower than
-//! asked for, since the width itself is estimated. With rounds of a thousand variants this effect is
-//! smaller than the difference between two seeds.
+//! Stopping as soon as an interval is short enough makes its true confidence level slightly lower
+//! than asked for, since the width itself is estimated. With rounds of a thousand variants this
+//! effect is smaller than the difference between two seeds.
 
 use core::ops::Range;
 
@@ -59,8 +59,8 @@ pub enum Watched {
 }
 
 impl Watched {
-    /// The probability called `name`: that the ball of `shot` with this id falls (into `pocket`, if one
-    /// is given), or `scratch` or `legal`.
+    /// The probability called `name`: that the ball of `shot` with this id falls (into `pocket`,
+    /// if one is given), or `scratch` or `legal`.
     ///
     /// # Errors
     /// [`Error::Input`] if there is no such ball or pocket.
@@ -96,8 +96,8 @@ impl Watched {
 pub struct Evaluation {
     /// Number of variants.
     pub variants: u64,
-    /// Number of variants that could not be played, such as miscues. They count as variants in which
-    /// no ball falls.
+    /// Number of variants that could not be played, such as miscues. They count as variants in
+    /// which no ball falls.
     pub failed: u64,
     /// The error of the first of them.
     pub first_failure: Option<Error>,
@@ -111,9 +111,11 @@ pub struct Evaluation {
     pub off_table: Vec<u64>,
     /// Number of legal variants; None without a referee.
     pub legal: Option<u64>,
-    /// Number of variants after which the same player has the turn again or has won; None without a referee.
+    /// Number of variants after which the same player has the turn again or has won; None without
+    /// a referee.
     pub turn_kept: Option<u64>,
-    /// Mean (m) and covariance (m²) of each ball's place of rest on the table, in the file's frame.
+    /// Mean (m) and covariance (m²) of each ball's place of rest on the table, in the file's
+    /// coordinates.
     pub ends: Vec<Moments>,
     /// Where the cue ball came to rest in each variant, m; NaN where it did not stay on the table.
     pub cue_ball_ends: Vec<[f64; 2]>,
@@ -121,13 +123,12 @@ pub struct Evaluation {
     pub level: f64,
 }
 
-/// Plays variants of `shot`'s strike. If `progress` is stopped, the result holds the variants played so
-/// far.
+/// Plays variants of `shot`'s strike. If `progress` is stopped, the result holds the variants
+/// played so far.
 ///
-/// # Errors
-/// [`Error::Input`] if the shot has no strike, for what [`ErrorModel::check`] rejects, for a watched
-/// ball or pocket that does not exist, and if the referee's frame does not ask for this shot. A variant that
-/// cannot be played is not an error: it is counted.
+/// # Errors [`Error::Input`] if the shot has no strike, for what [`ErrorModel::check`] rejects,
+/// for a watched ball or pocket that does not exist, and if the referee's frame does not ask for
+/// this shot. A variant that cannot be played is not an error: it is counted.
 pub fn evaluate(
     shot: &Shot,
     question: &Question<'_>,

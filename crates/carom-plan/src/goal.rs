@@ -31,7 +31,7 @@ pub struct Goal {
 /// A disc on the table.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Disc {
-    /// Its centre in the file's frame, m.
+    /// Its centre in the file's coordinates, m.
     pub center: [f64; 2],
     /// Its radius, m.
     pub radius: f64,
@@ -40,9 +40,9 @@ pub struct Disc {
 impl Goal {
     /// Rejects goals that no strike of `shot` can reach.
     ///
-    /// # Errors
-    /// [`Error::Input`] for a goal without parts, a ball or pocket that does not exist, the cue ball as
-    /// object ball, a disc without size, and a shot without a strike, which names the cue ball.
+    /// # Errors [`Error::Input`] for a goal without parts, a ball or pocket that does not exist,
+    /// the cue ball as object ball, a disc without size, and a shot without a strike, which names
+    /// the cue ball.
     pub fn check(&self, shot: &Shot) -> Result<(), Error> {
         let refuse = |kind: ErrorKind, place: &str, what: &str, remedy: &str| {
             Err(kind.at(place, what, remedy))
@@ -105,7 +105,7 @@ pub struct Attempt {
     pub miss: f64,
     /// The route to the ball that the goal names.
     pub route: Route,
-    /// Where the cue ball ends, m, in the file's frame.
+    /// Where the cue ball ends, m, in the file's coordinates.
     pub cue_ball_end: [f64; 2],
     /// Whether it falls into a pocket or leaves the table.
     pub loses_cue_ball: bool,
@@ -281,7 +281,8 @@ impl<'a> GoalTester<'a> {
         self.reach.allows(strike, self.shot).then(|| self.execute(strike))?
     }
 
-    /// The result of `strike`, which an error may have moved out of reach; None if it cannot be played.
+    /// The result of `strike`, which an error may have moved out of reach; None if it cannot be
+    /// played.
     fn execute(&mut self, strike: &Strike) -> Option<Attempt> {
         self.shot.resolve_strike(strike).ok()?;
         let (ball, _) = self.shot.strike()?;

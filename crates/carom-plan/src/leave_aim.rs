@@ -1,8 +1,8 @@
 //! The strike that pots a ball and leaves the cue ball at a place: position play with the pot kept.
 //!
-//! [`crate::solve()`] searches every line. Here the line of the pot is given, as for a player who has
-//! chosen ball and pocket and asks for the stroke: speed and tip offset are tried on a lattice, every
-//! one aimed separately, and the strikes that end nearest to the place are refined.
+//! [`crate::solve()`] searches every line. Here the line of the pot is given, as for a player who
+//! has chosen ball and pocket and asks for the stroke: speed and tip offset are tried on a
+//! lattice, every one aimed separately, and the strikes that end nearest to the place are refined.
 
 use core::f64::consts::TAU;
 
@@ -15,15 +15,16 @@ use crate::error_model::{Chance, ErrorModel};
 use crate::goal::{Disc, Goal, GoalTester};
 use crate::progress::Progress;
 
-/// Speeds of the lattice, evenly spaced on a logarithmic scale. With fewer, the refinement would have
-/// to change the speed by more than it can.
+/// Speeds of the lattice, evenly spaced on a logarithmic scale. With fewer, the refinement would
+/// have to change the speed by more than it can.
 const SPEEDS: usize = 10;
 /// Radii of the rings of tip offsets, as shares of the largest offset, and the offsets on each. The
 /// centre is tried besides.
 const RINGS: [(f64, usize); 2] = [(0.55, 6), (1.0, 8)];
 /// Strikes that are refined: those of the lattice that end nearest to the place.
 const REFINED: usize = 8;
-/// The place is reached if the cue ball stops within this distance of it, m: less than a ball's radius.
+/// The place is reached if the cue ball stops within this distance of it, m: less than a ball's
+/// radius.
 const REACHED: f64 = 0.02;
 /// Radius of the area in which the cue ball should stop under the errors, m: five balls wide.
 const AREA: f64 = 0.15;
@@ -35,7 +36,7 @@ const NEAR: f64 = 0.4;
 pub struct LeaveAim {
     /// The strike. It pots the ball when it is hit exactly.
     pub strike: Strike,
-    /// Where the cue ball comes to rest, m, in the file's frame.
+    /// Where the cue ball comes to rest, m, in the file's coordinates.
     pub end: [f64; 2],
     /// Distance of that from the place, m.
     pub distance: f64,
@@ -45,15 +46,14 @@ pub struct LeaveAim {
     pub chance: Chance,
 }
 
-/// The strike that pots `ball` into `pocket` (indices in the shot and the table) and brings the cue ball
-/// nearest to `place` (m, file's frame); among strikes that reach it, the most probable under the errors
-/// of `model`. Speeds are within `speed`, m/s; tip offsets are at most `offset`, ball radii. The line is
-/// that of the shot's own strike if its ball almost falls, or else the straight one. None if no strike
-/// of the lattice pots the ball.
+/// The strike that pots `ball` into `pocket` (indices in the shot and the table) and brings the
+/// cue ball nearest to `place` (m, file's coordinates); among strikes that reach it, the most
+/// probable under the errors of `model`. Speeds are within `speed`, m/s; tip offsets are at most
+/// `offset`, ball radii. The line is that of the shot's own strike if its ball almost falls, or
+/// else the straight one. None if no strike of the lattice pots the ball.
 ///
-/// # Errors
-/// As [`Goal::check`] and [`ErrorModel::check`], and [`Error::Input`] for a range of speeds or an offset
-/// out of range.
+/// # Errors As [`Goal::check`] and [`ErrorModel::check`], and [`Error::Input`] for a range of
+/// speeds or an offset out of range.
 pub fn leave_aim(
     shot: &Shot,
     ball: usize,

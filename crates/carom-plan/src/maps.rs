@@ -21,16 +21,16 @@ pub(crate) const FASTEST_BALL: f64 = 100.0;
 pub struct PotMap {
     /// Cells along x and y; cell (i, j) is at ((i + ½) width / columns, (j + ½) length / rows).
     pub cells: [usize; 2],
-    /// The probability that the ball falls and the cue ball does not, row by row. It has no variants
-    /// where the cue ball has no room.
+    /// The probability that the ball falls and the cue ball does not, row by row. It has no
+    /// variants where the cue ball has no room.
     pub chance: Vec<Chance>,
     /// The azimuth of the aim, rad; NaN where the cue ball has no room.
     pub azimuth: Vec<f64>,
 }
 
-/// The probability of potting `ball` straight into `pocket` with the cue ball anywhere on the table,
-/// struck with the speed and spin of `shot`'s own strike. For every place the aim is refined until it
-/// pots exactly, and turned to the middle of the azimuths that pot.
+/// The probability of potting `ball` straight into `pocket` with the cue ball anywhere on the
+/// table, struck with the speed and spin of `shot`'s own strike. For every place the aim is
+/// refined until it pots exactly, and turned to the middle of the azimuths that pot.
 ///
 /// Cells that were not reached before `progress` was stopped have no variants.
 ///
@@ -103,13 +103,12 @@ pub struct PositionMap {
     pub end: Vec<[f64; 2]>,
 }
 
-/// Pots `ball` into `pocket` with each of `speeds` (m/s) and `spins` (side and height, ball radii),
-/// without noise. Every strike is aimed separately. Strikes past the miscue limit cannot be played; cells
-/// that were not reached before `progress` was stopped count as such.
+/// Pots `ball` into `pocket` with each of `speeds` (m/s) and `spins` (side and height, ball
+/// radii), without noise. Every strike is aimed separately. Strikes past the miscue limit cannot
+/// be played; cells that were not reached before `progress` was stopped count as such.
 ///
-/// # Errors
-/// [`Error::Input`] for what [`Goal::check`] rejects, for speeds outside (0, 50] m/s, for offsets off
-/// the ball, and for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) cells.
+/// # Errors [`Error::Input`] for what [`Goal::check`] rejects, for speeds outside (0, 50] m/s, for
+/// offsets off the ball, and for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) cells.
 pub fn position_map(
     shot: &Shot,
     ball: usize,
@@ -179,10 +178,11 @@ pub enum Accepted {
 /// Balls that roll towards a pocket: every speed with every angle and every offset.
 #[derive(Clone, Copy, Debug)]
 pub struct Approaches<'a> {
-    /// Angles to the pocket's axis, rad. A ball with a positive angle comes from the right of the axis,
-    /// seen from the pocket.
+    /// Angles to the pocket's axis, rad. A ball with a positive angle comes from the right of the
+    /// axis, seen from the pocket.
     pub angles: &'a [f64],
-    /// Distances by which the line passes to the right of the mouth's centre, m, seen along the line.
+    /// Distances by which the line passes to the right of the mouth's centre, m, seen along the
+    /// line.
     pub offsets: &'a [f64],
     /// Speeds at the start, m/s. The ball rolls.
     pub speeds: &'a [f64],
@@ -211,13 +211,12 @@ impl Approaches<'_> {
     }
 }
 
-/// Whether `pocket` of `shot`'s table accepts each rolling ball: speed by speed, angle by angle, offset
-/// by offset. Only the table and the physics of `shot` are used; the ball is that of the physics. Cells that
-/// were not reached before `progress` was stopped are [`Accepted::Nowhere`].
+/// Whether `pocket` of `shot`'s table accepts each rolling ball: speed by speed, angle by angle,
+/// offset by offset. Only the table and the physics of `shot` are used; the ball is that of the
+/// physics. Cells that were not reached before `progress` was stopped are [`Accepted::Nowhere`].
 ///
-/// # Errors
-/// [`Error::Input`] if there is no such pocket, for speeds, angles, offsets or a distance out of range,
-/// and for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) cells.
+/// # Errors [`Error::Input`] if there is no such pocket, for speeds, angles, offsets or a distance
+/// out of range, and for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) cells.
 pub fn acceptance(
     shot: &Shot,
     pocket: usize,
@@ -247,7 +246,7 @@ pub fn acceptance(
     Ok(found.into_iter().map(|cell| cell.unwrap_or(Accepted::Nowhere)).collect())
 }
 
-/// One ball that rolls towards a pocket, in the engine's frame.
+/// One ball that rolls towards a pocket, in the engine's coordinates.
 struct Approach {
     /// Index of the pocket.
     pocket: usize,
@@ -282,9 +281,9 @@ impl Approach {
     }
 }
 
-/// A ball counts as gone from a pocket when its distance from the mouth exceeds that at the start by
-/// this much, m. The value is far above rounding and far below a table's size. Without this test, a
-/// ball that returns from across the table would count as accepted by the jaws.
+/// A ball counts as gone from a pocket when its distance from the mouth exceeds that at the start
+/// by this much, m. The value is far above rounding and far below a table's size. Without this
+/// test, a ball that returns from across the table would count as accepted by the jaws.
 const AWAY: f64 = 1e-3;
 
 /// Records which pocket the ball fell into, and whether it had gone away from the mouth before.

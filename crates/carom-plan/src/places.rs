@@ -8,7 +8,7 @@ use carom::{MotionState, Shot};
 /// visible on a table; without the margin, grazing passes would be called jumps or curves.
 const VISIBLE: f64 = 1e-4;
 
-/// The place of each ball at its last event, in the engine's frame.
+/// The place of each ball at its last event, in the engine's coordinates.
 #[derive(Clone, Debug)]
 pub(crate) struct Places {
     last: Vec<Vec2>,
@@ -50,8 +50,8 @@ impl Places {
         }
     }
 
-    /// The resting balls that block the straight path of `ball` on the cloth from `from` to `to`. Balls
-    /// that it touches at the start and the balls `met` at the end do not count.
+    /// The resting balls that block the straight path of `ball` on the cloth from `from` to `to`.
+    /// Balls that it touches at the start and the balls `met` at the end do not count.
     pub(crate) fn blocking<'a>(
         &'a self,
         ball: usize,

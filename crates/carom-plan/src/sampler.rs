@@ -1,8 +1,8 @@
 //! Samples of the frames that may follow a play.
 //!
 //! A search asks for many successors of a frame: with other strikes, with other errors of the same
-//! strike, with other calls. A [`Sampler`] simulates each strike once and rules on it for any number
-//! of calls. In steady state it allocates nothing, except for a new rack.
+//! strike, with other calls. A [`Sampler`] simulates each strike once and rules on it for any
+//! number of calls. In steady state it allocates nothing, except for a new rack.
 //!
 //! ```
 //! use carom::Noise;
@@ -35,8 +35,8 @@ use carom::resolve::cue_ball::Strike;
 use carom::{BallState, Error, Shot};
 use carom_rules::{Call, Frame, FrameSimulator, Prepared, Ruling};
 
-/// Simulates strikes of prepared shots and their variants, and rules on them, in memory that is used
-/// again. One thread needs one sampler.
+/// Simulates strikes of prepared shots and their variants, and rules on them, in memory that is
+/// used again. One thread needs one sampler.
 #[derive(Clone, Debug, Default)]
 pub struct Sampler {
     simulator: FrameSimulator,
@@ -73,9 +73,9 @@ impl Sampler {
         self.simulator.simulate_recorded(prepared, strike, recorder)
     }
 
-    /// Simulates variant `index` of the strike `meant` under `errors`: with the strike that is drawn
-    /// ([`carom::Noise::draw`]), with the balls where they truly lie, and with the contacts that
-    /// cling. `errors` must have passed [`Errors::check`].
+    /// Simulates variant `index` of the strike `meant` under `errors`: with the strike that is
+    /// drawn ([`carom::Noise::draw`]), with the balls where they truly lie, and with the contacts
+    /// that cling. `errors` must have passed [`Errors::check`].
     ///
     /// # Errors
     /// As [`Self::simulate`]. A drawn strike can be played if `meant` can, except where
@@ -92,7 +92,8 @@ impl Sampler {
         self.simulate_executed(prepared, &strike, errors, index)
     }
 
-    /// As [`Self::simulate_variant`], with the strike that is executed in place of the one that is drawn.
+    /// As [`Self::simulate_variant`], with the strike that is executed in place of the one that is
+    /// drawn.
     ///
     /// # Errors
     /// As [`Self::simulate`].
@@ -134,8 +135,8 @@ impl Sampler {
         self.simulator.outcome()
     }
 
-    /// The final states of the last simulation (file frame), before any ball was spotted, in the
-    /// order of [`Prepared::balls`]; empty if it failed.
+    /// The final states of the last simulation (file coordinates), before any ball was spotted, in
+    /// the order of [`Prepared::balls`]; empty if it failed.
     pub fn last(&self) -> &[BallState] {
         self.simulator.last()
     }

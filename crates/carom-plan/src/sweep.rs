@@ -15,7 +15,8 @@ use carom::{Error, MotionState, Noise, Outcome, Shot, ShotFile, Simulator, Summa
 /// The numbers of a strike, with the names and units of a shot file: m/s, degrees, ball radii.
 pub const STRIKE: [&str; 5] = ["speed", "azimuth_deg", "elevation_deg", "side", "height"];
 
-/// Stands for a ball or a number that does not exist, such as the first contact of a shot without one.
+/// Stands for a ball or a number that does not exist, such as the first contact of a shot without
+/// one.
 pub const NONE: i16 = -1;
 
 /// The parameters of rows, column by column.
@@ -27,8 +28,8 @@ pub struct SweepRows<'a> {
     pub layout: &'a [i32],
     /// The values that replace parts of the layout, in this order.
     pub columns: &'a [Column<'a>],
-    /// The numbers of the strike that differ from the layout's: an index into [`STRIKE`], and a number
-    /// per row.
+    /// The numbers of the strike that differ from the layout's: an index into [`STRIKE`], and a
+    /// number per row.
     pub strike: &'a [(usize, &'a [f64])],
     /// The noise of the strike, its seed, and the index of each row's error.
     pub noise: Option<(&'a Noise, u64, &'a [i64])>,
@@ -126,7 +127,8 @@ pub struct RowResults {
     /// Per ball: the pocket it fell into, or [`ON_TABLE`](carom::batch::ON_TABLE), [`OFF_TABLE`],
     /// [`PADDING`].
     pub pocket: Vec<i8>,
-    /// Per ball: the final centre in the file's frame, m; NaN for padding and where the shot failed.
+    /// Per ball: the final centre in the file's coordinates, m; NaN for padding and where the shot
+    /// failed.
     pub end: [Vec<f64>; 3],
     /// Index of the cue ball: the struck ball, else the ball with the id `cue`, else [`NONE`].
     pub cue_ball: Vec<i16>,
@@ -209,8 +211,8 @@ impl From<&Outcome> for OutcomeColumns {
     }
 }
 
-/// Plays every row. `balls` is the number of balls of the largest shot. With `outcomes`, also computes
-/// [`RowResults::outcomes`], which takes more time.
+/// Plays every row. `balls` is the number of balls of the largest shot. With `outcomes`, also
+/// computes [`RowResults::outcomes`], which takes more time.
 pub fn play(rows: &SweepRows<'_>, balls: usize, outcomes: bool) -> RowResults {
     RowPlayer::new(rows, balls, outcomes).play()
 }

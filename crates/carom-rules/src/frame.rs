@@ -29,7 +29,7 @@ pub use prepared::Prepared;
 pub use simulator::FrameSimulator;
 use stalemate::StalemateCounter;
 
-/// A place inside every table (file frame, m), for the only ball of the base shot.
+/// A place inside every table (file coordinates, m), for the only ball of the base shot.
 const INSIDE: [f64; 2] = [0.25, 0.25];
 
 /// One rack, frame or match of a game between two players. [`Clone::clone_from`] allocates nothing.
@@ -121,9 +121,9 @@ impl Frame {
         self
     }
 
-    /// The frame as a player sees it who sees the balls at `places` (one entry for each ball of the
-    /// layout, file frame, m; `None` for a ball that is not on the table). Everything else is the
-    /// same.
+    /// The frame as a player sees it who sees the balls at `places` (one entry for each ball of
+    /// the layout, file coordinates, m; `None` for a ball that is not on the table). Everything
+    /// else is the same.
     ///
     /// # Errors
     /// [`Error::Input`] if another set of balls is on the table. Overlapping balls are reported by
@@ -157,7 +157,8 @@ impl Frame {
         GameFacts::of(self.game)
     }
 
-    /// The group of `seat`; none while the table is open, for a seat other than 0 and 1, and in games without groups.
+    /// The group of `seat`; none while the table is open, for a seat other than 0 and 1, and in
+    /// games without groups.
     pub fn group(&self, seat: Seat) -> Option<Group> {
         self.game_state.rules().group(seat)
     }
@@ -167,7 +168,8 @@ impl Frame {
         self.game_state.rules().kind_on()
     }
 
-    /// Points for `ball` in snooker: 1 for a red, 2 to 7 for a colour; 0 for the cue ball and in other games.
+    /// Points for `ball` in snooker: 1 for a red, 2 to 7 for a colour; 0 for the cue ball and in
+    /// other games.
     pub fn value(&self, ball: BallIndex) -> i32 {
         self.game_state.rules().value(ball)
     }
@@ -199,8 +201,9 @@ impl Frame {
         }
     }
 
-    /// Whether `seat` has the turn or has won: after its own shot, whether it kept the turn. A break of
-    /// eight-ball that pots the eight keeps it, because the player who broke chooses what follows.
+    /// Whether `seat` has the turn or has won: after its own shot, whether it kept the turn. A
+    /// break of eight-ball that pots the eight keeps it, because the player who broke chooses what
+    /// follows.
     pub fn keeps_turn(&self, seat: Seat) -> bool {
         match self.request {
             Request::Over { winner, .. } => winner == Some(seat),
@@ -244,8 +247,9 @@ impl Frame {
         self.shots
     }
 
-    /// The box around the region in which the cue ball may be placed, for the D around the half disk:
-    /// lower left and upper right corner (file frame, m). None unless the cue ball is in hand.
+    /// The box around the region in which the cue ball may be placed, for the D around the half
+    /// disk: lower left and upper right corner (file coordinates, m). None unless the cue ball is
+    /// in hand.
     pub fn hand_bounds(&self) -> Option<[[f64; 2]; 2]> {
         Some(self.turn()?.hand?.bounds(self.base().table()))
     }

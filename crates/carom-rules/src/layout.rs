@@ -43,7 +43,7 @@ pub const MOST_BALLS: usize = 22;
 /// Balls of a frame, in order.
 pub type BallList = ShortList<BallIndex, MOST_BALLS>;
 
-/// Centre of each ball (file frame, m); none if it is not on the table.
+/// Centre of each ball (file coordinates, m); none if it is not on the table.
 pub(crate) type BallPlaces = [Option<[f64; 2]>; MOST_BALLS];
 
 /// The balls of a frame and their places.
@@ -107,8 +107,8 @@ impl FrameLayout {
         self.balls.is_empty()
     }
 
-    /// Centre of `ball` (file frame, m); none if it is not on the table or the frame has no such
-    /// ball.
+    /// Centre of `ball` (file coordinates, m); none if it is not on the table or the frame has no
+    /// such ball.
     pub fn place(&self, ball: BallIndex) -> Option<[f64; 2]> {
         self.places.get(usize::from(ball)).copied().flatten()
     }

@@ -23,8 +23,8 @@ pub(crate) fn head_string(table: &Table) -> f64 {
     marked.unwrap_or(0.25 * table.size.y)
 }
 
-/// The D: its centre, which is the brown's spot on the baulk line (file frame, m), and its radius,
-/// m. On a table without a marked radius it reaches from the brown to the yellow.
+/// The D: its centre, which is the brown's spot on the baulk line (file coordinates, m), and its
+/// radius, m. On a table without a marked radius it reaches from the brown to the yellow.
 pub(crate) fn the_d(table: &Table) -> ([f64; 2], f64) {
     let [[yellow, _], _, brown, ..] = snooker_spots(table);
     let marked = table.description.as_ref().and_then(|d| d.markings.d_radius);

@@ -12,7 +12,7 @@ use crate::layout::BallIndex;
 pub struct Play {
     /// The strike of the cue ball.
     pub strike: Strike,
-    /// Where a cue ball in hand is placed before the strike: its centre (file frame, m).
+    /// Where a cue ball in hand is placed before the strike: its centre (file coordinates, m).
     pub cue_ball: Option<[f64; 2]>,
     /// The call.
     pub call: Call,
@@ -35,7 +35,7 @@ impl Play {
         Self { call: Call::Pocket(ball, pocket), ..self }
     }
 
-    /// The same shot with the cue ball placed at `place` (file frame, m) before the strike.
+    /// The same shot with the cue ball placed at `place` (file coordinates, m) before the strike.
     pub const fn from(self, place: [f64; 2]) -> Self {
         Self { cue_ball: Some(place), ..self }
     }

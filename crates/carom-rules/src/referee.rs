@@ -7,8 +7,8 @@ use carom::outcome::{Outcome, OutcomeMemory, Touched};
 use crate::layout::{BallIndex, FROZEN};
 
 /// A ball was only grazed if it leaves with less than this share of the cue ball's speed. For
-/// equal balls that is a cut of 79° or more, where the cue ball overlaps 2 % of the object ball:
-/// 1 mm in pool. With a larger share, visible pushes would be legal; with a smaller one, hits that a
+/// equal balls that is a cut of 79° or more, where the cue ball overlaps 2 % of the object ball: 1
+/// mm in pool. With a larger share, visible pushes would be legal; with a smaller one, hits that a
 /// referee accepts as thin would be fouls.
 const GRAZE: f64 = 0.2;
 
@@ -18,9 +18,9 @@ const GRAZE: f64 = 0.2;
 pub(crate) struct CueBallTravel {
     /// Whether the cue ball jumped over a ball before its first contact with one.
     pub(crate) jumped_before_contact: bool,
-    /// The largest y of the cue ball's centre up to its first contact (file frame, m).
+    /// The largest y of the cue ball's centre up to its first contact (file coordinates, m).
     pub(crate) reached_before_contact: f64,
-    /// The largest y of the cue ball's centre in the whole shot (file frame, m).
+    /// The largest y of the cue ball's centre in the whole shot (file coordinates, m).
     pub(crate) reached: f64,
     /// The fullest hit of a near ball during the strike.
     pub(crate) near_hit: NearHit,
@@ -89,7 +89,7 @@ pub(crate) struct RefereeRecorder<'a> {
     cue: u16,
     before_contact: bool,
     jumped_before_contact: bool,
-    /// The largest y of the cue ball's centre at an event (engine frame, m): up to the first
+    /// The largest y of the cue ball's centre at an event (engine coordinates, m): up to the first
     /// contact, and in the whole shot. A path that bends between two events may reach farther.
     reached_before_contact: f64,
     reached: f64,

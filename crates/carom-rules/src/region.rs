@@ -25,7 +25,7 @@ state_bytes!(
 );
 
 impl Region {
-    /// Whether a ball with its centre at `place` (file frame, m) is in the region.
+    /// Whether a ball with its centre at `place` (file coordinates, m) is in the region.
     pub fn holds(self, table: &Table, place: [f64; 2]) -> bool {
         match self {
             Self::Anywhere => true,
@@ -37,7 +37,8 @@ impl Region {
         }
     }
 
-    /// The bounding box of the region: its lower left and upper right corners (file frame, m).
+    /// The bounding box of the region: its lower left and upper right corners (file coordinates,
+    /// m).
     pub fn bounds(self, table: &Table) -> [[f64; 2]; 2] {
         let size = table.size;
         match self {
@@ -50,7 +51,8 @@ impl Region {
         }
     }
 
-    /// The region's limits in numbers (file frame, m), after the words "put it" of an error message.
+    /// The region's limits in numbers (file coordinates, m), after the words "put it" of an error
+    /// message.
     pub fn limits(self, table: &Table) -> String {
         let [[left, bottom], [right, top]] = self.bounds(table);
         match self {

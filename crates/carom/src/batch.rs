@@ -33,7 +33,7 @@ pub struct BatchResult {
     pub shots: usize,
     /// Balls of the largest shot.
     pub balls: usize,
-    /// Final centres in the file's frame, m, NaN where a shot has no such ball.
+    /// Final centres in the file's coordinates, m, NaN where a shot has no such ball.
     pub final_position: Vec<[f64; 3]>,
     /// Index of the pocket that the ball fell into, in the order of `Table::pockets`, or
     /// [`ON_TABLE`], [`OFF_TABLE`], [`PADDING`].
@@ -75,10 +75,10 @@ pub fn simulate_at_own_elevation(shot: &Shot, strikes: &[Strike], runner: &Runne
     })
 }
 
-/// As [`simulate_strikes`], with the other `errors`, those of perception and the contacts that cling:
-/// the strike with index k is played in variant number `first` plus k. With an error of perception `shot` holds the positions that the
-/// player sees and plans on; the layouts of the variants hold possible true positions. The error has
-/// the same distribution in both directions.
+/// As [`simulate_strikes`], with the other `errors`, those of perception and the contacts that
+/// cling: the strike with index k is played in variant number `first` plus k. With an error of
+/// perception `shot` holds the positions that the player sees and plans on; the layouts of the
+/// variants hold possible true positions. The error has the same distribution in both directions.
 ///
 /// # Errors
 /// As [`Errors::check`]; and [`Error::Input`] if the shot has no strike.
@@ -134,9 +134,8 @@ pub fn draw_strikes(
 /// Variant `index`, of this seed, of `shot` under `noise`: an ordinary shot with the strike and the
 /// cling of that variant. It simulates to the bits of the variant's row.
 ///
-/// # Errors
-/// [`Error::Input`] if the shot has no strike, as [`Noise::check`], and if the drawn strike cannot be
-/// played.
+/// # Errors [`Error::Input`] if the shot has no strike, as [`Noise::check`], and if the drawn
+/// strike cannot be played.
 pub fn draw_variant(
     shot: &ShotFile,
     noise: &Noise,

@@ -41,8 +41,8 @@ pub struct Event<'a> {
     pub kind: EventKind,
     /// Indices of the event's balls in the shot.
     pub balls: &'a [u16],
-    /// States of these balls just before the event, in the engine's frame (origin at the table's
-    /// centre).
+    /// States of these balls just before the event, in the engine's coordinates (origin at the
+    /// table's centre).
     pub before: &'a [BallState],
     /// States of these balls just after the event.
     pub after: &'a [BallState],

@@ -276,7 +276,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         let Physics { cloth, gravity, .. } = &*shot.physics;
         self.n = shot.balls.len();
         for (i, placed) in shot.balls.iter().enumerate() {
-            let state = shot.table.to_engine_frame(&placed.state);
+            let state = shot.table.to_engine_coordinates(&placed.state);
             self.ball[i] = placed.ball;
             self.lanes.radius[i] = placed.ball.radius;
             self.set_path(i, Path::new(&state, &placed.ball, cloth, *gravity), 0.0);
@@ -332,17 +332,17 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         self.n == 0
     }
 
-    /// State of ball `i` at `time` (s), in the engine's frame. `time` must not be earlier than the
-    /// ball's last event.
+    /// State of ball `i` at `time` (s), in the engine's coordinates. `time` must not be earlier
+    /// than the ball's last event.
     #[inline(always)]
     pub fn state(&self, i: usize, time: f64) -> BallState {
         self.path[i].at(time - self.lanes.start[i])
     }
 
-    /// State of ball `i` of `shot` at `time` (s), in the file's frame. A ball that never moved has
-    /// exactly the bits of the file.
+    /// State of ball `i` of `shot` at `time` (s), in the file's coordinates. A ball that never
+    /// moved has exactly the bits of the file.
     pub fn file_state(&self, i: usize, shot: &Shot, time: f64) -> BallState {
-        shot.to_file_frame(i, &self.state(i, time))
+        shot.to_file_coordinates(i, &self.state(i, time))
     }
 
     /// The earliest candidate in the total order of events, not later than `last`, s.
@@ -450,7 +450,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             TableFeature::Lip(pocket) => self.on_lip_contact(i, pocket, step),
             TableFeature::Depth(pocket) => self.on_pocket_depth(i, pocket, step),
             TableFeature::Brink => self.on_lost_support(i, step),
-            TableFeature::Edge => {
+            TableFeature::Border => {
                 let state = self.state(i, step.time);
                 self.on_off_table(i, &state, step);
             }

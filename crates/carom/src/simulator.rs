@@ -183,14 +183,14 @@ impl Simulator {
         }
     }
 
-    /// The same in the file's frame; `shot` is the last shot. A ball that never moved has the bits
-    /// of the file.
+    /// The same in the file's coordinates; `shot` is the last shot. A ball that never moved has
+    /// the bits of the file.
     pub fn file_state(&self, i: usize, shot: &Shot, time: f64) -> BallState {
-        shot.to_file_frame(i, &self.state(i, time))
+        shot.to_file_coordinates(i, &self.state(i, time))
     }
 
     /// The states of all balls of the last shot at `time` (s), not before the last event, in the
-    /// engine's frame.
+    /// engine's coordinates.
     pub fn states(&self, time: f64) -> impl ExactSizeIterator<Item = BallState> + '_ {
         (0..self.len()).map(move |i| self.state(i, time))
     }

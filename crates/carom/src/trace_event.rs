@@ -1,4 +1,5 @@
-//! Events as traces and outcomes use them: rails and pockets by name, states in the file's frame.
+//! Events as traces and outcomes use them: rails and pockets by name, states in the file's
+//! coordinates.
 
 use crate::event::EventKind;
 use crate::table::{Part, PocketName, Rail};
@@ -73,7 +74,7 @@ impl TraceEventKind {
     }
 }
 
-/// One event of a trace; states in the file's frame.
+/// One event of a trace; states in the file's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TraceEvent<'a> {
     /// Time since the strike, s.

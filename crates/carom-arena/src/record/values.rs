@@ -10,8 +10,8 @@ use carom_rules::{BallIndex, Call, Frame, Play};
 /// What to write for a place of the cue ball.
 const PLACE: &str = "a list of two numbers, m";
 
-/// A number to the bit. NaN and infinities, which JSON does not have, become texts: a refused answer
-/// may contain them.
+/// A number to the bit. NaN and infinities, which JSON does not have, become texts: a refused
+/// answer may contain them.
 pub(super) fn number(x: f64) -> Node {
     if x.is_finite() { x.into() } else { x.to_string().into() }
 }
@@ -81,7 +81,7 @@ fn read_strike(at: &Reader<'_>) -> Result<Strike, Error> {
     })
 }
 
-/// A place of the cue ball (file frame, m).
+/// A place of the cue ball (file coordinates, m).
 pub(super) fn place([x, y]: [f64; 2]) -> Node {
     Node::List(vec![number(x), number(y)])
 }

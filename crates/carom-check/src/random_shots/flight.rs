@@ -159,7 +159,7 @@ impl ShotBuilder {
         self.struck_anywhere(speed, azimuth.to_degrees(), elevation)
     }
 
-    /// Centre and axis of a random pocket (file frame), and its radius.
+    /// Centre and axis of a random pocket (file coordinates), and its radius.
     fn pocket(&mut self) -> Option<(Vec2, Vec2, f64)> {
         let table = self.table();
         if table.pockets.is_empty() {

@@ -20,7 +20,7 @@ struct Record<'a> {
     time: f64,
 }
 
-/// A shot of balls with these positions and velocities (engine frame) on the 9-ft pool table.
+/// A shot of balls with these positions and velocities (engine coordinates) on the 9-ft pool table.
 fn shot(balls: &[([f64; 3], [f64; 3])]) -> Shot {
     let list: Vec<String> = balls
         .iter()
@@ -39,7 +39,8 @@ fn shot(balls: &[([f64; 3], [f64; 3])]) -> Shot {
 
 impl<'a> Record<'a> {
     fn new(shot: &'a Shot) -> Self {
-        let states = shot.balls().iter().map(|b| shot.table().to_engine_frame(&b.state)).collect();
+        let states =
+            shot.balls().iter().map(|b| shot.table().to_engine_coordinates(&b.state)).collect();
         Self {
             checker: CheckRecorder::new(shot),
             gravity: shot.physics().gravity,
@@ -305,7 +306,7 @@ fn detects_a_change_of_momentum_of_two_balls_in_the_air() {
     let shot = shot(&[([0.0, 0.0, 0.2], [1.0, 0.0, 0.0]), ([d, 0.0, 0.2], [0.0, 0.0, 0.0])]);
     let mut checker = CheckRecorder::new(&shot);
     let before: Vec<BallState> =
-        shot.balls().iter().map(|b| shot.table().to_engine_frame(&b.state)).collect();
+        shot.balls().iter().map(|b| shot.table().to_engine_coordinates(&b.state)).collect();
     let mut after = before.clone();
     after[0].velocity.x = 0.0;
     after[1].velocity = Vec3::new(1.0, 0.0, 1e-9);

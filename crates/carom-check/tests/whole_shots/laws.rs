@@ -82,5 +82,5 @@ proptest! {
 }
 
 fn events_start(shot: &Shot) -> Vec<BallState> {
-    shot.balls().iter().map(|b| shot.table().to_engine_frame(&b.state)).collect()
+    shot.balls().iter().map(|b| shot.table().to_engine_coordinates(&b.state)).collect()
 }

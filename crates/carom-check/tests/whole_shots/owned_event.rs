@@ -3,7 +3,7 @@
 use carom::event::{Event, EventKind, Recorder};
 use carom::{BallState, Shot};
 
-/// One event; states in the engine frame.
+/// One event; states in the engine coordinates.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct OwnedEvent {
     pub(crate) time: f64,

@@ -7,8 +7,8 @@ use carom::{BallState, Error, MotionState, Shot};
 use proptest::prelude::*;
 use proptest::sample::{select, subsequence};
 
-/// Places and half sides of the tables are multiples of this, m. Then the file frame and the engine
-/// frame hold the same place exactly, and a mirrored shot has mirrored bits.
+/// Places and half sides of the tables are multiples of this, m. Then the file coordinates and the
+/// engine frame hold the same place exactly, and a mirrored shot has mirrored bits.
 const GRID: f64 = 1.0 / (1u64 << 40) as f64;
 
 /// Largest distance of a ball from the centre of its cell of 0.25 m, along each axis, m: any two
@@ -28,7 +28,7 @@ pub(crate) enum Ground {
     Cloth,
 }
 
-/// A shot in the engine frame: x, y from the table's centre.
+/// A shot in the engine coordinates: x, y from the table's centre.
 #[derive(Clone, Debug)]
 pub(crate) struct Plan {
     pub(crate) ground: Ground,

@@ -9,8 +9,8 @@ use crate::scene::{Scene, SceneBall};
 use crate::targets::{Targets, call_of};
 use carom_plan::Prepared;
 
-/// Distance that the cue ball keeps from the lines of its region and from the rails, m: rounding must
-/// not move it over a line.
+/// Distance that the cue ball keeps from the lines of its region and from the rails, m: rounding
+/// must not move it over a line.
 const SPARE: f64 = 1e-6;
 
 /// An opening shot: the place of the cue ball, the hit of the first ball, and the stroke.
@@ -19,11 +19,11 @@ pub struct BreakShot {
     /// The place of a cue ball in hand across its region: −1 at the left end, 0 in the middle, 1 at
     /// the right end. Not used if the cue ball is not in hand.
     pub across: f64,
-    /// The place of a cue ball in hand along the table: 0 at the line that bounds the region, 1 at its
-    /// other end. Not used if the cue ball is not in hand.
+    /// The place of a cue ball in hand along the table: 0 at the line that bounds the region, 1 at
+    /// its other end. Not used if the cue ball is not in hand.
     pub behind: f64,
-    /// How far to the right of the first ball's centre the line of aim passes, in ball radii; 0 is a
-    /// full hit. The first ball is the one of the balls on that is nearest to the middle of the
+    /// How far to the right of the first ball's centre the line of aim passes, in ball radii; 0 is
+    /// a full hit. The first ball is the one of the balls on that is nearest to the middle of the
     /// region's line: the apex of a rack, and in carom games a red.
     pub aim: f64,
     /// Speed of the cue, m/s.
@@ -64,8 +64,8 @@ impl BreakShot {
         Ok(())
     }
 
-    /// Where the shot puts the cue ball of `turn`, a shot of `frame`; none if it is not in hand. File
-    /// frame, m.
+    /// Where the shot puts the cue ball of `turn`, a shot of `frame`; none if it is not in hand.
+    /// File frame, m.
     pub fn cue_ball(&self, frame: &Frame, turn: &Turn) -> Option<[f64; 2]> {
         let region = turn.hand?;
         let table = frame.base().table();
@@ -115,8 +115,8 @@ impl BreakShot {
     }
 }
 
-/// The ball on that is nearest to the middle of the line of the cue ball's region; without a region,
-/// nearest to the cue ball.
+/// The ball on that is nearest to the middle of the line of the cue ball's region; without a
+/// region, nearest to the cue ball.
 fn first_ball(scene: &Scene<'_>, prepared: &Prepared<'_>) -> Option<SceneBall> {
     let turn = prepared.turn();
     let from = match turn.hand {
@@ -132,7 +132,7 @@ fn first_ball(scene: &Scene<'_>, prepared: &Prepared<'_>) -> Option<SceneBall> {
     balls.min_by(|a, b| gap(a).total_cmp(&gap(b)))
 }
 
-/// The place of a ball of `radius` (m) at these shares of the region (file frame, m).
+/// The place of a ball of `radius` (m) at these shares of the region (file coordinates, m).
 fn place_in(region: Region, table: &Table, radius: f64, [across, behind]: [f64; 2]) -> [f64; 2] {
     let [low, high] = region.bounds(table);
     let rail = table.reach(radius) + SPARE;

@@ -2,9 +2,10 @@
 //!
 //! Archibald, Altman & Shoham, *Analysis of a winning computational billiards player*, IJCAI 2009.
 //! Two variants of each shot are generated: fine steps of speed, and random spins. Level one plays
-//! each shot with 25 to 100 drawn errors. The best 20 shots go on to level two, where 50 states of each
-//! shot are represented by 5 to 10 clusters, and the next shots are searched from the representatives.
-//! When little time is left, level two plays its shots without errors. The break is found by a search.
+//! each shot with 25 to 100 drawn errors. The best 20 shots go on to level two, where 50 states of
+//! each shot are represented by 5 to 10 clusters, and the next shots are searched from the
+//! representatives. When little time is left, level two plays its shots without errors. The break
+//! is found by a search.
 
 use core::ops::Range;
 
@@ -13,8 +14,8 @@ use carom::format::Reader;
 use carom::resolve::cue_ball::Strike;
 use carom_rules::{Frame, Play};
 
+use super::baseline::{Baseline, first_best, usual_break};
 use super::best_shots::COUNTED;
-use super::desk::{Desk, first_best, usual_break};
 use super::levels::{MOST_SAMPLES, NodeSearch, Rated, Rating, generate, level_one, level_two};
 use super::planner::{Attack, Method, Planner};
 use super::shots::{Stroke, sampled_strokes};
@@ -25,8 +26,8 @@ use crate::value::{Markov, Position, Value};
 use crate::workbench::Workbench;
 use carom_plan::Prepared;
 
-/// Share of the budget for level one, with level two. Guess: the paper divides the time, and gives no
-/// share.
+/// Share of the budget for level one, with level two. Guess: the paper divides the time, and gives
+/// no share.
 const LEVEL_ONE: f64 = 0.5;
 /// Share of level one for generating shots.
 const GENERATING: f64 = 0.3;
@@ -38,13 +39,13 @@ const LEAST_SAMPLES: u64 = 25;
 const SPEEDS: [f64; 2] = [0.5, 5.5];
 /// Number of different parts of the sequence of strokes that the seed can choose.
 const SEQUENCES: u64 = 1000;
-/// Shares of the break's budget for finding breaks and for a first comparison of them; the rest compares
-/// the best. Guess: the authors searched their break in advance, and print no method.
+/// Shares of the break's budget for finding breaks and for a first comparison of them; the rest
+/// compares the best. Guess: the authors searched their break in advance, and print no method.
 const BREAK_FINDING: f64 = 0.2;
 const BREAK_SIFTING: f64 = 0.4;
-/// Slowest break, m/s. The value by the best three shots does not see clusters. In a match of 120 frames
-/// a search without this limit kept the turn after 50 of 60 breaks, and the usual break after 45; yet
-/// the player with the usual break won 68 frames.
+/// Slowest break, m/s. The value by the best three shots does not see clusters. In a match of 120
+/// frames a search without this limit kept the turn after 50 of 60 breaks, and the usual break
+/// after 45; yet the player with the usual break won 68 frames.
 const HARD: f64 = 9.0;
 /// Drawn errors of a break in the first comparison, and the number of breaks that remain.
 const FEW_ERRORS: u64 = 6;
@@ -70,15 +71,15 @@ pub enum CueCardBreak {
     Searched,
     /// As the other players of the literature break.
     Usual,
-    /// With the cue ball at this place (file frame, m) and this strike.
+    /// With the cue ball at this place (file coordinates, m) and this strike.
     Given([f64; 2], Strike),
 }
 
 /// Settings of [`CueCard`].
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CueCardSettings {
-    /// Drawn errors of each shot at level one: 25 to 100 (Archibald, Altman & Shoham 2009). Level two
-    /// has at most as many states. With a small budget fewer are drawn, but at least 25.
+    /// Drawn errors of each shot at level one: 25 to 100 (Archibald, Altman & Shoham 2009). Level
+    /// two has at most as many states. With a small budget fewer are drawn, but at least 25.
     pub samples: u64,
     /// Shots that level two searches: 20 (the same).
     pub finalists: usize,
@@ -86,8 +87,8 @@ pub struct CueCardSettings {
     pub clusters: usize,
     /// Drawn errors of each shot at level two. Guess.
     pub samples_two: u64,
-    /// A node of level two with fewer simulations than this is searched without errors. The paper does
-    /// so when little time is left; the number is a guess.
+    /// A node of level two with fewer simulations than this is searched without errors. The paper
+    /// does so when little time is left; the number is a guess.
     pub noiseless_below: u64,
     /// Strokes on each line, half of them fine steps of speed and half random spins. Guess.
     pub strokes: usize,
@@ -100,8 +101,8 @@ pub struct CueCardSettings {
     /// Weights of the best three shots of a position. Guess: falling weights, as in the paper, with
     /// numbers of our own.
     pub weights: [f64; COUNTED],
-    /// A safety is preferred to a shot that is less probable than this, if the safety is worth more.
-    /// Guess.
+    /// A safety is preferred to a shot that is less probable than this, if the safety is worth
+    /// more. Guess.
     pub safety_below: f64,
     /// The break.
     pub break_shot: CueCardBreak,
@@ -158,8 +159,8 @@ impl CueCardSettings {
 pub type CueCard = Planner<CueCardSettings>;
 
 impl CueCardSettings {
-    /// The two variants of each shot in turn: a plain stroke with the next fine step of speed, and one
-    /// with a random spin. Every part of the list covers the whole range.
+    /// The two variants of each shot in turn: a plain stroke with the next fine step of speed, and
+    /// one with a random spin. Every part of the list covers the whole range.
     fn strokes(&self, seed: u64) -> Vec<Stroke> {
         let count = self.strokes.max(2);
         let fine = fine_speeds(count / 2).into_iter().map(Stroke::plain);
@@ -168,9 +169,10 @@ impl CueCardSettings {
     }
 
     /// What a state is worth: by the Markov chain in an ending, and else by its best shots.
-    fn gain(&self, desk: &Desk<'_>) -> impl Fn(&Frame) -> f64 + Sync {
-        let is_ending = balls_left(desk.situation.frame, desk.seat()) <= self.ending;
-        let (noise, seat, value) = (desk.situation.noise.clone(), desk.seat(), desk.value.clone());
+    fn gain(&self, baseline: &Baseline<'_>) -> impl Fn(&Frame) -> f64 + Sync {
+        let is_ending = balls_left(baseline.situation.frame, baseline.seat()) <= self.ending;
+        let (noise, seat, value) =
+            (baseline.situation.noise.clone(), baseline.seat(), baseline.value.clone());
         move |frame: &Frame| {
             let position = Position { frame, noise: &noise };
             if is_ending {
@@ -181,13 +183,13 @@ impl CueCardSettings {
         }
     }
 
-    fn search(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Rated>, Error> {
-        let strokes = self.strokes(desk.situation.seed);
-        let gain = self.gain(desk);
+    fn search(&self, baseline: &Baseline<'_>, spent: &mut Spent) -> Result<Option<Rated>, Error> {
+        let strokes = self.strokes(baseline.situation.seed);
+        let gain = self.gain(baseline);
         let share = if self.level_two == LevelTwo::GivenToLevelOne { 1.0 } else { LEVEL_ONE };
-        let first = (share * desk.left(spent, 1) as f64) as u64;
+        let first = (share * baseline.left(spent, 1) as f64) as u64;
         let generating = (GENERATING * first as f64) as u64;
-        let (mut shots, plays) = generate(desk, &strokes, generating.max(1), &gain)?;
+        let (mut shots, plays) = generate(baseline, &strokes, generating.max(1), &gain)?;
         spent.simulations += plays;
         let left = first.saturating_sub(plays);
         // A small budget is better spent on the finalists' number of shots than on many errors.
@@ -196,15 +198,15 @@ impl CueCardSettings {
         shots.truncate((left / samples).max(1) as usize);
         spent.simulations += samples * shots.len() as u64;
         spent.rounds += 1;
-        let mut rated = level_one(desk, shots, samples, &gain)?;
+        let mut rated = level_one(baseline, shots, samples, &gain)?;
         if self.level_two != LevelTwo::Searched {
             return Ok(rated.into_iter().next());
         }
-        let left = desk.left(spent, 0);
+        let left = baseline.left(spent, 0);
         let nodes = self.clusters.max(1).min(samples as usize) as u64;
         let finalists = ((left / (LEAST_NODE * nodes)) as usize).min(self.finalists);
         rated.truncate(finalists.max(1));
-        if rated.len() < 2 || !desk.budget.allows(*spent, left) {
+        if rated.len() < 2 || !baseline.budget.allows(*spent, left) {
             return Ok(rated.into_iter().next());
         }
         let most = left / (rated.len() as u64 * nodes);
@@ -212,21 +214,25 @@ impl CueCardSettings {
         let samples = self.samples_two.max(1);
         let rating = if is_noiseless { Rating::Noiseless } else { Rating::Sampled(samples) };
         let search = NodeSearch { strokes: &strokes, rating, most };
-        let (values, plays) = level_two(desk, &rated, self.clusters.max(1), &search, &gain)?;
+        let (values, plays) = level_two(baseline, &rated, self.clusters.max(1), &search, &gain)?;
         spent.simulations += plays;
         spent.rounds += 1;
         let best = first_best(values.into_iter().zip(rated), |(value, _)| *value);
         Ok(best.map(|(_, rated)| rated))
     }
 
-    /// The break with the best mean value among places and strikes on a lattice and the usual break:
-    /// all are played with a few drawn errors, and the best of them with many.
-    fn searched_break(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Play>, Error> {
-        let budget = desk.left(spent, 1);
+    /// The break with the best mean value among places and strikes on a lattice and the usual
+    /// break: all are played with a few drawn errors, and the best of them with many.
+    fn searched_break(
+        &self,
+        baseline: &Baseline<'_>,
+        spent: &mut Spent,
+    ) -> Result<Option<Play>, Error> {
+        let budget = baseline.left(spent, 1);
         let share = |share: f64| (share * budget as f64) as u64;
-        let mut explorer = Explorer::new(desk.task());
-        let count = desk.prepared.len().max(1) as u64;
-        for at in desk.places() {
+        let mut explorer = Explorer::new(baseline.task());
+        let count = baseline.prepared.len().max(1) as u64;
+        for at in baseline.places() {
             explorer.breaks(at, share(BREAK_FINDING) * (at.number as u64 + 1) / count)?;
         }
         spent.simulations += explorer.bench.plays;
@@ -234,17 +240,17 @@ impl CueCardSettings {
         found.retain(|found| found.play.strike.speed >= HARD);
         found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
         found.truncate((share(BREAK_SIFTING) / FEW_ERRORS) as usize);
-        let usual = usual_break(desk).map(|play| (0, play, 0.0));
+        let usual = usual_break(baseline).map(|play| (0, play, 0.0));
         let lattice = found.into_iter().map(|found| (found.place, found.play, 0.0));
         let mut breaks =
-            break_values(desk, usual.into_iter().chain(lattice).collect(), 0..FEW_ERRORS)?;
+            break_values(baseline, usual.into_iter().chain(lattice).collect(), 0..FEW_ERRORS)?;
         spent.simulations += FEW_ERRORS * breaks.len() as u64;
         breaks.sort_by(|a, b| b.2.total_cmp(&a.2));
         breaks.truncate(BREAK_FINALISTS);
-        let samples = desk.left(spent, 0) / (breaks.len() as u64).max(1);
+        let samples = baseline.left(spent, 0) / (breaks.len() as u64).max(1);
         let last = FEW_ERRORS + samples.min(self.samples);
         spent.simulations += (last - FEW_ERRORS) * breaks.len() as u64;
-        let breaks = break_values(desk, breaks, FEW_ERRORS..last)?;
+        let breaks = break_values(baseline, breaks, FEW_ERRORS..last)?;
         Ok(first_best(breaks, |(.., sum)| *sum).map(|(_, play, _)| play))
     }
 }
@@ -254,19 +260,19 @@ type Tried = (usize, Play, f64);
 
 /// Adds the values of `breaks` with the drawn errors `indices`.
 fn break_values(
-    desk: &Desk<'_>,
+    baseline: &Baseline<'_>,
     breaks: Vec<Tried>,
     indices: Range<u64>,
 ) -> Result<Vec<Tried>, Error> {
-    let errors = desk.errors();
-    let tried = desk.budget.runner.map(
+    let errors = baseline.errors();
+    let tried = baseline.budget.runner.map(
         breaks,
-        || Workbench::new(desk.situation.frame),
+        || Workbench::new(baseline.situation.frame),
         |bench, (place, play, mut sum)| {
-            let (prepared, indices) = (&desk.prepared[place], indices.clone());
+            let (prepared, indices) = (&baseline.prepared[place], indices.clone());
             bench.sample(prepared, &play, &errors, indices, |next, _| {
-                let position = Position { frame: next, noise: &desk.situation.noise };
-                sum += desk.value.win_chance(&position, desk.seat());
+                let position = Position { frame: next, noise: &baseline.situation.noise };
+                sum += baseline.value.win_chance(&position, baseline.seat());
             })?;
             Ok((place, play, sum))
         },
@@ -274,8 +280,8 @@ fn break_values(
     tried.into_iter().collect()
 }
 
-/// `count` speeds (m/s) in equal steps of their logarithm over [`SPEEDS`], in an order in which every
-/// part covers the range: the k-th is the fractional part of k times the golden ratio.
+/// `count` speeds (m/s) in equal steps of their logarithm over [`SPEEDS`], in an order in which
+/// every part covers the range: the k-th is the fractional part of k times the golden ratio.
 fn fine_speeds(count: usize) -> Vec<f64> {
     const GOLDEN: f64 = 0.618_033_988_749_894_9;
     let [low, high] = SPEEDS;
@@ -303,20 +309,24 @@ impl Method for CueCardSettings {
         self.safety_below
     }
 
-    fn attack(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {
-        let best = self.search(desk, spent)?;
+    fn attack(&self, baseline: &Baseline<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {
+        let best = self.search(baseline, spent)?;
         Ok(best.map(|rated| Attack { play: rated.shot.play, chance: rated.kept }))
     }
 
-    fn break_shot(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Play>, Error> {
+    fn break_shot(
+        &self,
+        baseline: &Baseline<'_>,
+        spent: &mut Spent,
+    ) -> Result<Option<Play>, Error> {
         match self.break_shot {
-            CueCardBreak::Searched => self.searched_break(desk, spent),
-            CueCardBreak::Usual => Ok(usual_break(desk)),
+            CueCardBreak::Searched => self.searched_break(baseline, spent),
+            CueCardBreak::Usual => Ok(usual_break(baseline)),
             CueCardBreak::Given(place, strike) => {
-                let prepared = Prepared::new(desk.situation.frame, Some(place))?;
+                let prepared = Prepared::new(baseline.situation.frame, Some(place))?;
                 prepared.shot().resolve_strike(&strike)?;
-                let first = desk.turn.on.first().copied().unwrap_or(desk.turn.cue);
-                let call = call_of(desk.turn, first, None);
+                let first = baseline.turn.on.first().copied().unwrap_or(baseline.turn.cue);
+                let call = call_of(baseline.turn, first, None);
                 Ok(Some(Play { cue_ball: Some(place), call, ..Play::new(strike) }))
             }
         }

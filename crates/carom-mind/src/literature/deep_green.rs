@@ -6,15 +6,15 @@
 //! has the probability of each; the position after a shot is that without errors; and the tree
 //! contains the player's own shots only.
 //!
-//! V₀(s) = max p(a), and V_d(s) = max p(a) (1 + V_{d−1}(s after a)), over the shots a at position s:
-//! the expected number of successes in the next d + 1 shots. A won frame counts as if all further
-//! shots were certain, a lost one as −1. **Guess:** the papers do not print the reward of a shot, of a
-//! win and of a loss.
+//! V₀(s) = max p(a), and V_d(s) = max p(a) (1 + V_{d−1}(s after a)), over the shots a at position
+//! s: the expected number of successes in the next d + 1 shots. A won frame counts as if all
+//! further shots were certain, a lost one as −1. **Guess:** the papers do not print the reward of
+//! a shot, of a win and of a loss.
 
 use carom::Error;
 use carom_rules::{Frame, Request};
 
-use super::desk::{Desk, first_best};
+use super::baseline::{Baseline, first_best};
 use super::planner::{Attack, Method, Planner};
 use super::pot_table::EVERY_KIND;
 use super::shots::{PotShot, Sight, Stroke};
@@ -24,11 +24,11 @@ use crate::value::Position;
 use crate::workbench::Workbench;
 use carom_plan::Prepared;
 
-/// Share of a node's simulations that its own shots may use, as a fraction; the rest is divided among
-/// the positions after them. Guess.
+/// Share of a node's simulations that its own shots may use, as a fraction; the rest is divided
+/// among the positions after them. Guess.
 const GENERATING: [u64; 2] = [3, 10];
-/// Fewest simulations of such a position, enough for about forty shots. Shots that are less promising
-/// are not searched further. Guess: the papers search all shots.
+/// Fewest simulations of such a position, enough for about forty shots. Shots that are less
+/// promising are not searched further. Guess: the papers search all shots.
 const LEAST_NODE: u64 = 100;
 /// Fewest shots of a node that are searched further.
 const LEAST_SHOTS: usize = 4;
@@ -42,8 +42,8 @@ pub struct DeepGreenSettings {
     pub speeds: Vec<f64>,
     /// Heights of the tip as shares of the largest offset, −1 to 1: stun, draw and follow. Guess.
     pub heights: Vec<f64>,
-    /// A safety is preferred to a shot that is less probable than this, if the safety is worth more.
-    /// Guess.
+    /// A safety is preferred to a shot that is less probable than this, if the safety is worth
+    /// more. Guess.
     pub safety_below: f64,
 }
 
@@ -70,27 +70,27 @@ impl DeepGreenSettings {
         strokes.map(|(speed, height)| Stroke { speed, side: 0.0, height }).collect()
     }
 
-    /// Expected number of successes after a shot that leaves `frame`: V_{depth} of the player's next
-    /// position, within `most` simulations.
+    /// Expected number of successes after a shot that leaves `frame`: V_{depth} of the player's
+    /// next position, within `most` simulations.
     fn rest(
         &self,
-        desk: &Desk<'_>,
+        baseline: &Baseline<'_>,
         bench: &mut Workbench,
         frame: &Frame,
         depth: u32,
         most: u64,
     ) -> Result<f64, Error> {
         let turn = match frame.request() {
-            Request::Over { winner: Some(winner), .. } if *winner == desk.seat() => {
+            Request::Over { winner: Some(winner), .. } if *winner == baseline.seat() => {
                 return Ok(f64::from(depth + 1));
             }
-            Request::Shot(turn) if turn.player == desk.seat() => turn,
-            _ => return Ok(self.table_value(desk, frame)),
+            Request::Shot(turn) if turn.player == baseline.seat() => turn,
+            _ => return Ok(self.table_value(baseline, frame)),
         };
         if depth == 0 || turn.hand.is_some() {
-            return Ok(self.table_value(desk, frame));
+            return Ok(self.table_value(baseline, frame));
         }
-        let sight = Sight::new(frame, turn, desk.table(), desk.noise());
+        let sight = Sight::new(frame, turn, baseline.table(), baseline.noise());
         let prepared = Prepared::new(frame, None)?;
         let lines = sight.lines(&prepared, &EVERY_KIND);
         let own = most_of_node(depth, most);
@@ -98,21 +98,21 @@ impl DeepGreenSettings {
         let at = CuePlace { number: 0, prepared: &prepared };
         let shots = bench.pot_shots(&sight, at, &lines, &self.strokes(), own)?;
         let left = most.saturating_sub(bench.plays - before);
-        let (shots, left) = self.most_promising(desk, shots, depth, left);
+        let (shots, left) = self.most_promising(baseline, shots, depth, left);
         let mut best: f64 = 0.0;
         for shot in &shots {
-            let rest = self.rest(desk, bench, &shot.successor, depth - 1, left)?;
+            let rest = self.rest(baseline, bench, &shot.successor, depth - 1, left)?;
             best = best.max(shot.chance * (1.0 + rest));
         }
         Ok(best)
     }
 
-    /// The shots of a node whose successors are searched to `depth` − 1, and the simulations of each,
-    /// if all may use `left`. The most promising by p (1 + V₀) are kept, as many as the simulations
-    /// allow. At the last level nothing is simulated and all are kept.
+    /// The shots of a node whose successors are searched to `depth` − 1, and the simulations of
+    /// each, if all may use `left`. The most promising by p (1 + V₀) are kept, as many as the
+    /// simulations allow. At the last level nothing is simulated and all are kept.
     fn most_promising(
         &self,
-        desk: &Desk<'_>,
+        baseline: &Baseline<'_>,
         shots: Vec<PotShot>,
         depth: u32,
         left: u64,
@@ -121,7 +121,7 @@ impl DeepGreenSettings {
             return (shots, 0);
         }
         let promise =
-            |shot: &PotShot| shot.chance * (1.0 + self.table_value(desk, &shot.successor));
+            |shot: &PotShot| shot.chance * (1.0 + self.table_value(baseline, &shot.successor));
         let mut rated: Vec<(f64, PotShot)> =
             shots.into_iter().map(|shot| (promise(&shot), shot)).collect();
         rated.sort_by(|a, b| b.0.total_cmp(&a.0));
@@ -131,32 +131,36 @@ impl DeepGreenSettings {
     }
 
     /// V₀ of a position, which needs no simulation.
-    fn table_value(&self, desk: &Desk<'_>, frame: &Frame) -> f64 {
-        let position = Position { frame, noise: &desk.situation.noise };
+    fn table_value(&self, baseline: &Baseline<'_>, frame: &Frame) -> f64 {
+        let position = Position { frame, noise: &baseline.situation.noise };
         match frame.request() {
             Request::Over { winner: Some(winner), .. } => {
-                if *winner == desk.seat() {
+                if *winner == baseline.seat() {
                     1.0
                 } else {
                     -1.0
                 }
             }
-            Request::Shot(turn) if turn.player == desk.seat() => {
-                desk.value.best(&position, turn)[0]
+            Request::Shot(turn) if turn.player == baseline.seat() => {
+                baseline.value.best(&position, turn)[0]
             }
             _ => 0.0,
         }
     }
 
     /// The shots of the request, and their values.
-    fn rated(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Vec<(PotShot, f64)>, Error> {
-        let sight = desk.sight();
-        let budget = desk.left(spent, 1);
+    fn rated(
+        &self,
+        baseline: &Baseline<'_>,
+        spent: &mut Spent,
+    ) -> Result<Vec<(PotShot, f64)>, Error> {
+        let sight = baseline.sight();
+        let budget = baseline.left(spent, 1);
         let depth = self.depth;
-        let own = most_of_node(depth, budget) / desk.prepared.len().max(1) as u64;
-        let mut bench = Workbench::new(desk.situation.frame);
+        let own = most_of_node(depth, budget) / baseline.prepared.len().max(1) as u64;
+        let mut bench = Workbench::new(baseline.situation.frame);
         let mut shots = Vec::new();
-        for at in desk.places() {
+        for at in baseline.places() {
             let lines = sight.lines(at.prepared, &EVERY_KIND);
             shots.extend(bench.pot_shots(&sight, at, &lines, &self.strokes(), own)?);
         }
@@ -164,13 +168,13 @@ impl DeepGreenSettings {
         if depth == 0 {
             return Ok(shots.into_iter().map(|shot| (shot.clone(), shot.chance)).collect());
         }
-        let (shots, left) = self.most_promising(desk, shots, depth, desk.left(spent, 0));
-        let rated = desk.budget.runner.map(
+        let (shots, left) = self.most_promising(baseline, shots, depth, baseline.left(spent, 0));
+        let rated = baseline.budget.runner.map(
             shots,
-            || Workbench::new(desk.situation.frame),
+            || Workbench::new(baseline.situation.frame),
             |bench, shot| {
                 let before = bench.plays;
-                let rest = self.rest(desk, bench, &shot.successor, depth - 1, left)?;
+                let rest = self.rest(baseline, bench, &shot.successor, depth - 1, left)?;
                 let value = shot.chance * (1.0 + rest);
                 Ok((shot, value, bench.plays - before))
             },
@@ -181,8 +185,8 @@ impl DeepGreenSettings {
     }
 }
 
-/// The simulations that the shots of one node may use of `most`, if their successors are searched to
-/// `depth` − 1.
+/// The simulations that the shots of one node may use of `most`, if their successors are searched
+/// to `depth` − 1.
 const fn most_of_node(depth: u32, most: u64) -> u64 {
     // The last level looks only at the table of probabilities.
     if depth <= 1 { most } else { most * GENERATING[0] / GENERATING[1] }
@@ -197,8 +201,8 @@ impl Method for DeepGreenSettings {
         self.safety_below
     }
 
-    fn attack(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {
-        let best = first_best(self.rated(desk, spent)?, |(_, value)| *value);
+    fn attack(&self, baseline: &Baseline<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {
+        let best = first_best(self.rated(baseline, spent)?, |(_, value)| *value);
         Ok(best.map(|(PotShot { play, chance, .. }, _)| Attack { play, chance }))
     }
 }

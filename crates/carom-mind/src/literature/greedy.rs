@@ -1,13 +1,13 @@
 //! The greedy player: the easiest shot by geometry.
 //!
 //! Greenspan, Lam, Godard, Zaidi, Jordan, Leckie, Anderson & Dupuis, *Toward a competitive pool-
-//! playing robot*, IEEE Computer 41(1), 2008, compare their player with a greedy one, which plays the
-//! shot that is most probable and plans no position.
+//! playing robot*, IEEE Computer 41(1), 2008, compare their player with a greedy one, which plays
+//! the shot that is most probable and plans no position.
 
 use carom::Error;
 use carom::format::Reader;
 
-use super::desk::{Desk, first_best};
+use super::baseline::{Baseline, first_best};
 use super::planner::{Attack, Method, Planner};
 use super::pot_table::EVERY_KIND;
 use super::shots::{Correction, Stroke, geometric};
@@ -74,10 +74,10 @@ impl Method for GreedySettings {
         self.safety_below
     }
 
-    fn attack(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {
-        let sight = desk.sight();
+    fn attack(&self, baseline: &Baseline<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {
+        let sight = baseline.sight();
         let mut lines = Vec::new();
-        for CuePlace { prepared, .. } in desk.places() {
+        for CuePlace { prepared, .. } in baseline.places() {
             // By geometry alone: the table of measured probabilities is not used.
             let rated = sight.lines(prepared, &EVERY_KIND).into_iter();
             lines.extend(
@@ -92,7 +92,7 @@ impl Method for GreedySettings {
         let play = match self.aim {
             GreedyAim::Geometric => plain,
             GreedyAim::Simulated => {
-                let mut bench = Workbench::new(desk.situation.frame);
+                let mut bench = Workbench::new(baseline.situation.frame);
                 let stroke = Stroke::plain(self.speed);
                 let known = &mut Correction::default();
                 let aimed = bench.aimed(&sight, prepared, &line, stroke, known)?;

@@ -1,13 +1,13 @@
 //! The Monte-Carlo search of PickPocket (Smith 2007) and CueCard (Archibald, Altman & Shoham 2009).
 //!
-//! At level one a shot is played with drawn errors, and its value is the mean of the states' values.
-//! At level two the value of a state is that of the best next shot from there.
+//! At level one a shot is played with drawn errors, and its value is the mean of the states'
+//! values. At level two the value of a state is that of the best next shot from there.
 
 use carom::Error;
 use carom_rules::{Frame, Request};
 
+use super::baseline::Baseline;
 use super::clusters::{point, representatives};
-use super::desk::Desk;
 use super::pot_table::EVERY_KIND;
 use super::shots::{PotShot, Sight, Stroke};
 use crate::search::CuePlace;
@@ -56,16 +56,16 @@ pub(crate) struct Rated {
 /// # Errors
 /// As [`Workbench::pot_shots`].
 pub(crate) fn generate(
-    desk: &Desk<'_>,
+    baseline: &Baseline<'_>,
     strokes: &[Stroke],
     most: u64,
     gain: &Gain<'_>,
 ) -> Result<(Vec<PotShot>, u64), Error> {
-    let sight = desk.sight();
-    let mut bench = Workbench::new(desk.situation.frame);
+    let sight = baseline.sight();
+    let mut bench = Workbench::new(baseline.situation.frame);
     let mut shots = Vec::new();
-    let own = most / desk.prepared.len().max(1) as u64;
-    for at in desk.places() {
+    let own = most / baseline.prepared.len().max(1) as u64;
+    for at in baseline.places() {
         let lines = sight.lines(at.prepared, &EVERY_KIND);
         shots.extend(bench.pot_shots(&sight, at, &lines, strokes, own)?);
     }
@@ -81,18 +81,18 @@ pub(crate) fn generate(
 /// # Errors
 /// As [`Workbench::sample`].
 pub(crate) fn level_one(
-    desk: &Desk<'_>,
+    baseline: &Baseline<'_>,
     shots: Vec<PotShot>,
     samples: u64,
     gain: &Gain<'_>,
 ) -> Result<Vec<Rated>, Error> {
-    let errors = desk.errors();
-    let rated = desk.budget.runner.map(
+    let errors = baseline.errors();
+    let rated = baseline.budget.runner.map(
         shots,
-        || Workbench::new(desk.situation.frame),
+        || Workbench::new(baseline.situation.frame),
         |bench, shot| {
             let (mut states, mut sum, mut kept) = (Vec::new(), 0.0, 0.0);
-            let prepared = &desk.prepared[shot.place];
+            let prepared = &baseline.prepared[shot.place];
             bench.sample(prepared, &shot.play, &errors, 0..samples, |next, keeps| {
                 sum += gain(next);
                 kept += f64::from(u8::from(keeps));
@@ -107,14 +107,14 @@ pub(crate) fn level_one(
     Ok(rated)
 }
 
-/// Level two: the mean value of the states of each of `finalists`, in their order, and the number of
-/// simulations. States in which the player shoots again are searched; at most `clusters` of each
-/// shot, which represent the others. All other states keep their gain.
+/// Level two: the mean value of the states of each of `finalists`, in their order, and the number
+/// of simulations. States in which the player shoots again are searched; at most `clusters` of
+/// each shot, which represent the others. All other states keep their gain.
 ///
 /// # Errors
 /// As [`Workbench::sample`].
 pub(crate) fn level_two(
-    desk: &Desk<'_>,
+    baseline: &Baseline<'_>,
     finalists: &[Rated],
     clusters: usize,
     search: &NodeSearch<'_>,
@@ -126,19 +126,19 @@ pub(crate) fn level_two(
     for (k, finalist) in finalists.iter().enumerate() {
         let count = finalist.states.len() as f64;
         let (own, others): (Vec<&Frame>, Vec<&Frame>) =
-            finalist.states.iter().partition(|state| is_searched(state, desk));
+            finalist.states.iter().partition(|state| is_searched(state, baseline));
         values[k] = others.into_iter().map(gain).sum::<f64>() / count;
         let points: Vec<Vec<f64>> = own.iter().map(|state| point(state)).collect();
         for found in representatives(&points, clusters) {
             jobs.push((k, own[found.state], found.count as f64 / count));
         }
     }
-    let searched = desk.budget.runner.map(
+    let searched = baseline.budget.runner.map(
         jobs.iter().map(|(_, state, _)| *state),
-        || Workbench::new(desk.situation.frame),
+        || Workbench::new(baseline.situation.frame),
         |bench, state| {
             let before = bench.plays;
-            let value = node_value(desk, bench, state, search, gain)?;
+            let value = node_value(baseline, bench, state, search, gain)?;
             Ok((value, bench.plays - before))
         },
     );
@@ -151,10 +151,10 @@ pub(crate) fn level_two(
     Ok((values, plays))
 }
 
-/// Whether level two looks for the player's next shot in this state. A ball in hand is valued by the
-/// gain alone.
-pub(crate) fn is_searched(state: &Frame, desk: &Desk<'_>) -> bool {
-    matches!(state.request(), Request::Shot(turn) if turn.player == desk.seat() && turn.hand.is_none())
+/// Whether level two looks for the player's next shot in this state. A ball in hand is valued by
+/// the gain alone.
+pub(crate) fn is_searched(state: &Frame, baseline: &Baseline<'_>) -> bool {
+    matches!(state.request(), Request::Shot(turn) if turn.player == baseline.seat() && turn.hand.is_none())
 }
 
 /// The value of the best shot from a state in which the player shoots; 0 if it has none.
@@ -162,14 +162,14 @@ pub(crate) fn is_searched(state: &Frame, desk: &Desk<'_>) -> bool {
 /// # Errors
 /// As [`Workbench::sample`].
 pub(crate) fn node_value(
-    desk: &Desk<'_>,
+    baseline: &Baseline<'_>,
     bench: &mut Workbench,
     state: &Frame,
     search: &NodeSearch<'_>,
     gain: &Gain<'_>,
 ) -> Result<f64, Error> {
     let Some(turn) = state.turn() else { return Ok(gain(state)) };
-    let sight = Sight::new(state, turn, desk.table(), desk.noise());
+    let sight = Sight::new(state, turn, baseline.table(), baseline.noise());
     let prepared = Prepared::new(state, None)?;
     let lines = sight.lines(&prepared, &EVERY_KIND);
     let most = match search.rating {
@@ -179,7 +179,7 @@ pub(crate) fn node_value(
     };
     let at = CuePlace { number: 0, prepared: &prepared };
     let shots = bench.pot_shots(&sight, at, &lines, search.strokes, most)?;
-    let errors = desk.errors();
+    let errors = baseline.errors();
     let mut best: f64 = 0.0;
     for shot in &shots {
         let value = match search.rating {

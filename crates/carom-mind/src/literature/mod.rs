@@ -1,20 +1,20 @@
 //! The players of the literature, as opponents and as measures.
 //!
-//! Each file has one published player: [`Greedy`], [`DeepGreen`], [`PoolMaster`], [`PickPocket`] and
-//! [`CueCard`]. Their settings are structures whose defaults are the papers' numbers where these are
-//! printed; every other number is marked as a guess in its comment. docs/players.md describes the
-//! players and lists the guesses.
+//! Each file has one published player: [`Greedy`], [`DeepGreen`], [`PoolMaster`], [`PickPocket`]
+//! and [`CueCard`]. Their settings are structures whose defaults are the papers' numbers where
+//! these are printed; every other number is marked as a guess in its comment. docs/players.md
+//! describes the players and lists the guesses.
 //!
-//! All of them are a [`Planner`]: they choose pots by their own method and answer every other request in the same
-//! way. They count simulated shots instead of seconds: [`Budget::simulations`](crate::Budget)
-//! limits a decision, apart from a least search. A decision has the same bits for any number of
-//! threads.
+//! All of them are a [`Planner`]: they choose pots by their own method and answer every other
+//! request in the same way. They count simulated shots instead of seconds:
+//! [`Budget::simulations`](crate::Budget) limits a decision, apart from a least search. A decision
+//! has the same bits for any number of threads.
 
+mod baseline;
 mod best_shots;
 mod clusters;
 mod cue_card;
 mod deep_green;
-mod desk;
 mod greedy;
 mod levels;
 mod pick_pocket;

@@ -1,15 +1,15 @@
 //! PickPocket: Monte-Carlo search to depth two.
 //!
-//! Smith, *PickPocket: A computer billiards shark*, Artificial Intelligence 171, 2007. Direct, bank,
-//! kick and combination shots are generated with sampled speeds and spins. Each is played with 15
-//! drawn errors. From every state that keeps the turn the next shots are searched in the same way,
-//! and the last states are valued by their best shots.
+//! Smith, *PickPocket: A computer billiards shark*, Artificial Intelligence 171, 2007. Direct,
+//! bank, kick and combination shots are generated with sampled speeds and spins. Each is played
+//! with 15 drawn errors. From every state that keeps the turn the next shots are searched in the
+//! same way, and the last states are valued by their best shots.
 
 use carom::Error;
 use carom::format::Reader;
 
+use super::baseline::{Baseline, first_best};
 use super::best_shots::COUNTED;
-use super::desk::{Desk, first_best};
 use super::levels::{MOST_SAMPLES, NodeSearch, Rated, Rating, generate, level_one, level_two};
 use super::planner::{Attack, Method, Planner};
 use super::shots::{Stroke, sampled_strokes};
@@ -44,8 +44,8 @@ pub struct PickPocketSettings {
     /// Weights of the best three shots of a position. Guess: falling weights, as in the paper, with
     /// numbers of our own.
     pub weights: [f64; COUNTED],
-    /// A safety is preferred to a shot that is less probable than this, if the safety is worth more.
-    /// The paper has such a threshold; its value is a guess.
+    /// A safety is preferred to a shot that is less probable than this, if the safety is worth
+    /// more. The paper has such a threshold; its value is a guess.
     pub safety_below: f64,
 }
 
@@ -78,35 +78,35 @@ impl PickPocketSettings {
     }
 
     /// The shot that the search prefers.
-    fn search(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Rated>, Error> {
-        let strokes = self.strokes(desk.situation.seed);
+    fn search(&self, baseline: &Baseline<'_>, spent: &mut Spent) -> Result<Option<Rated>, Error> {
+        let strokes = self.strokes(baseline.situation.seed);
         let gain = |frame: &carom_rules::Frame| {
-            let position = Position { frame, noise: &desk.situation.noise };
-            desk.value.gain(&position, desk.seat())
+            let position = Position { frame, noise: &baseline.situation.noise };
+            baseline.value.gain(&position, baseline.seat())
         };
         let samples = self.samples.max(1);
         // Every own state of a shot is a node of level two.
         let finalist = LEAST_NODE * samples;
-        let budget = desk.left(spent, 1);
+        let budget = baseline.left(spent, 1);
         let second = ((1.0 - LEVEL_ONE) * budget as f64) as u64;
         // A budget that is too small for level two is used at level one.
         let is_deep = self.depth > 1 && second >= LEAST_FINALISTS * finalist;
         let first = if is_deep { budget - second } else { budget };
         let generating = (GENERATING * first as f64) as u64;
-        let (mut shots, plays) = generate(desk, &strokes, generating.max(1), &gain)?;
+        let (mut shots, plays) = generate(baseline, &strokes, generating.max(1), &gain)?;
         spent.simulations += plays;
         shots.truncate((first.saturating_sub(plays) / samples).max(1) as usize);
         spent.simulations += samples * shots.len() as u64;
         spent.rounds += 1;
-        let mut rated = level_one(desk, shots, samples, &gain)?;
-        let left = desk.left(spent, 0);
+        let mut rated = level_one(baseline, shots, samples, &gain)?;
+        let left = baseline.left(spent, 0);
         rated.truncate(if is_deep { (left / finalist) as usize } else { 1 });
-        if rated.len() < 2 || !desk.budget.allows(*spent, left) {
+        if rated.len() < 2 || !baseline.budget.allows(*spent, left) {
             return Ok(rated.into_iter().next());
         }
         let most = left / (rated.len() as u64 * samples);
         let search = NodeSearch { strokes: &strokes, rating: Rating::Sampled(samples), most };
-        let (values, plays) = level_two(desk, &rated, usize::MAX, &search, &gain)?;
+        let (values, plays) = level_two(baseline, &rated, usize::MAX, &search, &gain)?;
         spent.simulations += plays;
         spent.rounds += 1;
         let best = first_best(values.into_iter().zip(rated), |(value, _)| *value);
@@ -127,8 +127,8 @@ impl Method for PickPocketSettings {
         self.safety_below
     }
 
-    fn attack(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {
-        let best = self.search(desk, spent)?;
+    fn attack(&self, baseline: &Baseline<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {
+        let best = self.search(baseline, spent)?;
         Ok(best.map(|rated| Attack { play: rated.shot.play, chance: rated.kept }))
     }
 }

@@ -1,12 +1,13 @@
-//! What all players of the literature share: from a request to a decision by the player's own method.
+//! What all players of the literature share: from a request to a decision by the player's own
+//! method.
 
 use std::sync::Arc;
 
 use carom::Error;
 use carom_rules::{Choice, Play, Request, Seat};
 
+use super::baseline::{Baseline, anything, carom, safety, usual_break};
 use super::best_shots::{BestShots, COUNTED};
-use super::desk::{Desk, anything, carom, safety, usual_break};
 use super::pot_table::{PotTable, PotTables};
 use crate::player::{Answer, Budget, Decision, Player, Situation, Spent};
 use crate::value::{Position, Value};
@@ -24,7 +25,8 @@ pub trait Method: Send + Sync {
     /// The player's name.
     fn name(&self) -> String;
 
-    /// The weights with which the best shots of a position are counted. Usually only the best one counts.
+    /// The weights with which the best shots of a position are counted. Usually only the best one
+    /// counts.
     fn weights(&self) -> [f64; COUNTED] {
         [1.0, 0.0, 0.0]
     }
@@ -36,15 +38,19 @@ pub trait Method: Send + Sync {
     ///
     /// # Errors
     /// As [`crate::Player::decide`].
-    fn attack(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error>;
+    fn attack(&self, baseline: &Baseline<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error>;
 
     /// The break from one of the prepared places.
     ///
     /// # Errors
     /// As [`crate::Player::decide`].
-    fn break_shot(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Play>, Error> {
+    fn break_shot(
+        &self,
+        baseline: &Baseline<'_>,
+        spent: &mut Spent,
+    ) -> Result<Option<Play>, Error> {
         let _ = spent;
-        Ok(usual_break(desk))
+        Ok(usual_break(baseline))
     }
 }
 
@@ -85,15 +91,15 @@ impl<M: Method> Planner<M> {
         Ok(BestShots { tables: [table(0)?, table(1)?], weights: self.method.weights() })
     }
 
-    fn shot(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
-        let frame = desk.situation.frame;
+    fn shot(&self, baseline: &Baseline<'_>, spent: &mut Spent) -> Result<Play, Error> {
+        let frame = baseline.situation.frame;
         if frame.facts().is_carom() {
-            return carom(desk, spent);
+            return carom(baseline, spent);
         }
         let attack = if !frame.is_opening() {
-            self.method.attack(desk, spent)?
-        } else if desk.task().breaks_hard()
-            && let Some(play) = self.method.break_shot(desk, spent)?
+            self.method.attack(baseline, spent)?
+        } else if baseline.task().breaks_hard()
+            && let Some(play) = self.method.break_shot(baseline, spent)?
         {
             return Ok(play);
         } else {
@@ -101,13 +107,13 @@ impl<M: Method> Planner<M> {
         };
         match attack {
             Some(attack) if attack.chance >= self.method.safety_below() => Ok(attack.play),
-            Some(attack) => Ok(match safety(desk, spent)? {
+            Some(attack) => Ok(match safety(baseline, spent)? {
                 Some((play, value)) if value > attack.chance => play,
                 _ => attack.play,
             }),
-            None => match safety(desk, spent)? {
+            None => match safety(baseline, spent)? {
                 Some((play, _)) => Ok(play),
-                None => anything(desk, spent),
+                None => anything(baseline, spent),
             },
         }
     }
@@ -131,8 +137,8 @@ impl<M: Method> Player for Planner<M> {
                 Answer::Choice(best_choice(&value, situation, seat, choices))
             }
             Request::Shot(turn) => {
-                let desk = Desk::new(situation, budget, turn, value)?;
-                Answer::Play(self.shot(&desk, &mut spent)?)
+                let baseline = Baseline::new(situation, budget, turn, value)?;
+                Answer::Play(self.shot(&baseline, &mut spent)?)
             }
             Request::Over { .. } => unreachable!("a finished frame has no request"),
         };

@@ -1,22 +1,23 @@
 //! PoolMaster: a strike that leaves the cue ball at a target.
 //!
-//! Dussault & Landry, *Optimization of a billiard player – tactical play*, Computers and Games 2006,
-//! LNCS 4630; Landry & Dussault, *AI optimization of a billiard player*, J. Intell. Robot. Syst. 50,
+//! Dussault & Landry, *Optimization of a billiard player – tactical play*, Computers and Games
+//! 2006, LNCS 4630; Landry & Dussault, *AI optimization of a billiard player*, J. Intell. Robot.
+//! Syst. 50,
 //! 2007. For each pot a grid rates the places of the cue ball for the next shot; a local optimiser
 //! looks for the strike that pots the ball and leaves the cue ball at a good place; and the player
 //! takes the pot with the best product of both probabilities. It plans one shot ahead.
 //!
 //! **Guess:** the optimiser. The papers minimise a smooth function of the strike with a method for
 //! smooth functions; the end of a simulated shot is not smooth, so we use the pattern search of
-//! Hooke & Jeeves, *"Direct search" solution of numerical and statistical problems*, 1961, over the
-//! logarithm of the speed and the two tip offsets. For each strike the azimuth that pots the ball is
-//! found by simulation.
+//! Hooke & Jeeves, *"Direct search" solution of numerical and statistical problems*, 1961, over
+//! the logarithm of the speed and the two tip offsets. For each strike the azimuth that pots the
+//! ball is found by simulation.
 
 use carom::Error;
 use carom::math::Vec2;
 use carom_rules::{Play, Request};
 
-use super::desk::{Desk, first_best};
+use super::baseline::{Baseline, first_best};
 use super::planner::{Attack, Method, Planner};
 use super::position_grid::PositionGrid;
 use super::pot_table::EVERY_KIND;
@@ -52,8 +53,8 @@ pub struct PoolMasterSettings {
     pub strikes: u32,
     /// Distance (m) from the target at which the optimiser stops: half a ball. Guess.
     pub close: f64,
-    /// A safety is preferred to a shot that is less probable than this, if the safety is worth more.
-    /// Guess.
+    /// A safety is preferred to a shot that is less probable than this, if the safety is worth
+    /// more. Guess.
     pub safety_below: f64,
 }
 
@@ -84,14 +85,14 @@ struct Task<'a> {
 
 impl PoolMasterSettings {
     /// The first strikes along the best lines of every place, and the number of simulations.
-    fn starts(&self, desk: &Desk<'_>, most: u64) -> Result<(Vec<PotShot>, u64), Error> {
-        let sight = desk.sight();
+    fn starts(&self, baseline: &Baseline<'_>, most: u64) -> Result<(Vec<PotShot>, u64), Error> {
+        let sight = baseline.sight();
         let with = |height: f64| SPEEDS.map(|speed| Stroke { speed, side: 0.0, height });
         let strokes: Vec<Stroke> = HEIGHTS.into_iter().flat_map(with).collect();
-        let mut bench = Workbench::new(desk.situation.frame);
-        let own = most / desk.prepared.len().max(1) as u64;
+        let mut bench = Workbench::new(baseline.situation.frame);
+        let own = most / baseline.prepared.len().max(1) as u64;
         let mut shots = Vec::new();
-        for at in desk.places() {
+        for at in baseline.places() {
             let mut lines = sight.lines(at.prepared, &EVERY_KIND);
             lines.truncate(self.lines);
             let found = bench.pot_shots(&sight, at, &lines, &strokes, own)?;
@@ -104,24 +105,28 @@ impl PoolMasterSettings {
     }
 
     /// The strikes that the optimiser finds, and those from which it starts.
-    fn positional(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Vec<Positional>, Error> {
-        let budget = desk.left(spent, 1);
-        let (starts, plays) = self.starts(desk, (STARTING * budget as f64) as u64)?;
+    fn positional(
+        &self,
+        baseline: &Baseline<'_>,
+        spent: &mut Spent,
+    ) -> Result<Vec<Positional>, Error> {
+        let budget = baseline.left(spent, 1);
+        let (starts, plays) = self.starts(baseline, (STARTING * budget as f64) as u64)?;
         spent.simulations += plays;
         let firsts = firsts(&starts);
-        let grids: Vec<Option<PositionGrid>> = desk.budget.runner.map(
+        let grids: Vec<Option<PositionGrid>> = baseline.budget.runner.map(
             firsts.iter().map(|group| &starts[group.0]),
             || (),
-            |(), shot| grid_after(desk, shot),
+            |(), shot| grid_after(baseline, shot),
         );
         let mut found: Vec<Positional> = Vec::new();
         let mut tasks: Vec<Task<'_>> = Vec::new();
         for ((first, end), grid) in firsts.into_iter().zip(&grids) {
             let group = &starts[first..end];
-            found.extend(group.iter().map(|shot| positional(desk, shot, grid.as_ref())));
+            found.extend(group.iter().map(|shot| positional(baseline, shot, grid.as_ref())));
             let Some(grid) = grid else { continue };
             for (target, quality) in grid.best(self.targets, self.apart) {
-                let gap = |shot: &PotShot| end_gap(desk, shot, target);
+                let gap = |shot: &PotShot| end_gap(baseline, shot, target);
                 let nearest = group.iter().min_by(|a, b| gap(a).total_cmp(&gap(b)));
                 tasks.extend(nearest.map(|start| Task { target, quality, start, grid }));
             }
@@ -129,13 +134,13 @@ impl PoolMasterSettings {
         let promise = |task: &Task<'_>| task.start.chance * task.quality;
         tasks.sort_by(|a, b| promise(b).total_cmp(&promise(a)));
         let cost = AIMING * u64::from(self.strikes.max(1));
-        tasks.truncate((desk.left(spent, 0) / cost) as usize);
-        let optimised = desk.budget.runner.map(
+        tasks.truncate((baseline.left(spent, 0) / cost) as usize);
+        let optimised = baseline.budget.runner.map(
             tasks,
-            || Workbench::new(desk.situation.frame),
+            || Workbench::new(baseline.situation.frame),
             |bench, task| {
                 let before = bench.plays;
-                let best = self.optimise(desk, bench, &task, cost)?;
+                let best = self.optimise(baseline, bench, &task, cost)?;
                 Ok((best, bench.plays - before))
             },
         );
@@ -151,16 +156,16 @@ impl PoolMasterSettings {
     /// simulations.
     fn optimise(
         &self,
-        desk: &Desk<'_>,
+        baseline: &Baseline<'_>,
         bench: &mut Workbench,
         task: &Task<'_>,
         most: u64,
     ) -> Result<Positional, Error> {
-        let sight = desk.sight();
+        let sight = baseline.sight();
         let shot = task.start;
-        let prepared = &desk.prepared[shot.place];
+        let prepared = &baseline.prepared[shot.place];
         let mut known = Correction::default();
-        let mut best = (end_gap(desk, shot, task.target), shot.clone());
+        let mut best = (end_gap(baseline, shot, task.target), shot.clone());
         let mut step = FIRST_STEP;
         let end = bench.plays + most;
         while step >= LAST_STEP && best.0 > self.close {
@@ -173,7 +178,7 @@ impl PoolMasterSettings {
                 let Some(play) = aimed else { continue };
                 let successor = bench.successor.clone();
                 let tried = PotShot { stroke: changed, play, successor, ..shot.clone() };
-                let gap = end_gap(desk, &tried, task.target);
+                let gap = end_gap(baseline, &tried, task.target);
                 if gap < best.0 {
                     best = (gap, tried);
                     is_better = true;
@@ -184,7 +189,7 @@ impl PoolMasterSettings {
                 step *= 0.5;
             }
         }
-        Ok(positional(desk, &best.1, Some(task.grid)))
+        Ok(positional(baseline, &best.1, Some(task.grid)))
     }
 }
 
@@ -228,32 +233,32 @@ fn neighbours(stroke: Stroke, step: f64) -> impl Iterator<Item = Stroke> {
     .filter(move |changed| *changed != stroke)
 }
 
-/// The grid for the next shot after `shot`; none if the player does not shoot next from where the cue
-/// ball lies.
-fn grid_after(desk: &Desk<'_>, shot: &PotShot) -> Option<PositionGrid> {
+/// The grid for the next shot after `shot`; none if the player does not shoot next from where the
+/// cue ball lies.
+fn grid_after(baseline: &Baseline<'_>, shot: &PotShot) -> Option<PositionGrid> {
     let frame = &shot.successor;
-    let turn = frame.turn().filter(|turn| turn.player == desk.seat() && turn.hand.is_none())?;
-    let sight = Sight::new(frame, turn, desk.table(), desk.noise());
+    let turn = frame.turn().filter(|turn| turn.player == baseline.seat() && turn.hand.is_none())?;
+    let sight = Sight::new(frame, turn, baseline.table(), baseline.noise());
     Some(PositionGrid::new(frame, &sight))
 }
 
-/// Where the cue ball ends, m, engine's frame; none if it is down.
-fn end_of(desk: &Desk<'_>, shot: &PotShot) -> Option<Vec2> {
-    let [x, y] = shot.successor.layout().place(desk.turn.cue)?;
+/// Where the cue ball ends, m, engine's coordinates; none if it is down.
+fn end_of(baseline: &Baseline<'_>, shot: &PotShot) -> Option<Vec2> {
+    let [x, y] = shot.successor.layout().place(baseline.turn.cue)?;
     Some(Vec2::new(x, y) - shot.successor.base().table().center())
 }
 
 /// Distance of the cue ball's end from `target`, m; infinite if the player does not shoot next.
-fn end_gap(desk: &Desk<'_>, shot: &PotShot, target: Vec2) -> f64 {
-    let is_own = shot.successor.turn().is_some_and(|turn| turn.player == desk.seat());
-    let end = end_of(desk, shot).filter(|_| is_own);
+fn end_gap(baseline: &Baseline<'_>, shot: &PotShot, target: Vec2) -> f64 {
+    let is_own = shot.successor.turn().is_some_and(|turn| turn.player == baseline.seat());
+    let end = end_of(baseline, shot).filter(|_| is_own);
     end.map_or(f64::INFINITY, |end| (end - target).length())
 }
 
 /// The play of `shot` with the quality of what it leaves: 1 for a won frame, 0 for a lost turn.
-fn positional(desk: &Desk<'_>, shot: &PotShot, grid: Option<&PositionGrid>) -> Positional {
-    let seat = desk.seat();
-    let quality = match (shot.successor.request(), end_of(desk, shot), grid) {
+fn positional(baseline: &Baseline<'_>, shot: &PotShot, grid: Option<&PositionGrid>) -> Positional {
+    let seat = baseline.seat();
+    let quality = match (shot.successor.request(), end_of(baseline, shot), grid) {
         (Request::Over { winner, .. }, ..) => f64::from(u8::from(*winner == Some(seat))),
         (Request::Shot(turn), Some(end), Some(grid)) if turn.player == seat => grid.at(end),
         // A ball in hand is as good as the best place.
@@ -274,10 +279,10 @@ impl Method for PoolMasterSettings {
 
     /// The pot with the best product of its own probability and that of the next one. A pot that
     /// leaves nothing still counts a little, so that the most probable one is played.
-    fn attack(&self, desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {
+    fn attack(&self, baseline: &Baseline<'_>, spent: &mut Spent) -> Result<Option<Attack>, Error> {
         /// What a pot without a next shot is worth. Guess.
         const ALONE: f64 = 0.1;
-        let found = self.positional(desk, spent)?;
+        let found = self.positional(baseline, spent)?;
         let best = first_best(found, |found| found.chance * (ALONE + found.quality));
         Ok(best.map(|Positional { play, chance, .. }| Attack { play, chance }))
     }

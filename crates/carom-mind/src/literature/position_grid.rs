@@ -1,8 +1,9 @@
 //! PoolMaster's grid of targets: how good each place of the cue ball is for the next shot.
 //!
-//! Landry & Dussault, *AI optimization of a billiard player*, J. Intell. Robot. Syst. 50, 2007, lay 50
-//! × 100 points over the table. **Guess:** a point's quality is the probability of the best direct shot
-//! from there, averaged with the eight points around it, so that a good point needs good neighbours.
+//! Landry & Dussault, *AI optimization of a billiard player*, J. Intell. Robot. Syst. 50, 2007,
+//! lay 50 × 100 points over the table. **Guess:** a point's quality is the probability of the best
+//! direct shot from there, averaged with the eight points around it, so that a good point needs
+//! good neighbours.
 
 use carom::math::Vec2;
 use carom_rules::Frame;
@@ -46,7 +47,7 @@ impl PositionGrid {
         Self { values, ..grid }
     }
 
-    /// The quality of a cue ball at `place`, m, engine's frame: that of the point next to it.
+    /// The quality of a cue ball at `place`, m, engine's coordinates: that of the point next to it.
     pub(crate) fn at(&self, place: Vec2) -> f64 {
         let index = |x: f64, half: f64, count: usize| {
             let share = (0.5 * (x / half + 1.0)).clamp(0.0, 1.0);
@@ -75,7 +76,7 @@ impl PositionGrid {
         best
     }
 
-    /// The centre of a cell, m, engine's frame.
+    /// The centre of a cell, m, engine's coordinates.
     fn center(&self, [i, j]: [usize; 2]) -> Vec2 {
         let at = |k: usize, count: usize| (2 * k + 1) as f64 / count as f64 - 1.0;
         Vec2::new(self.half.x * at(i, POINTS[0]), self.half.y * at(j, POINTS[1]))

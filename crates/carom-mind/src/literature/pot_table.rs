@@ -25,8 +25,8 @@ use carom_plan::{Prepared, Sampler};
 const EASES: [f64; 10] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0];
 /// Cosines of the cut angle at which the table has values: 82°, 66°, 46°, 26° and 0°.
 const FULLNESSES: [f64; 5] = [0.139, 0.4, 0.7, 0.9, 1.0];
-/// Number of measured lines. The table's standard error is then about 0.03 where lines are frequent.
-/// Guess: no paper gives the number of its simulations.
+/// Number of measured lines. The table's standard error is then about 0.03 where lines are
+/// frequent. Guess: no paper gives the number of its simulations.
 const LINES: u32 = 400;
 /// Layouts that are tried for these lines, so that a table without pots cannot take for ever.
 const LAYOUTS: u32 = 4 * LINES;
@@ -38,11 +38,11 @@ const PRIOR: f64 = 6.0;
 const SPEEDS: [f64; 3] = [1.2, 2.2, 3.6];
 /// Seed of the drawn strikes. Tables of the same noise are equal in every decision.
 const SEED: u64 = 0x0070_6F74;
-/// Share of a chance that remains after a cushion. Guess: Smith (2007) estimates banks and kicks by a
-/// table of their own, which is not printed.
+/// Share of a chance that remains after a cushion. Guess: Smith (2007) estimates banks and kicks
+/// by a table of their own, which is not printed.
 const KEPT_AT_CUSHION: f64 = 0.7;
-/// The additive recurrence of Roberts (2018) in four dimensions: powers of 1/φ₄, where φ₄ is the real
-/// root of x⁵ = x + 1.
+/// The additive recurrence of Roberts (2018) in four dimensions: powers of 1/φ₄, where φ₄ is the
+/// real root of x⁵ = x + 1.
 const STEPS: [f64; 4] =
     [0.856_674_883_854_5, 0.733_891_856_627_1, 0.628_706_721_077_8, 0.538_597_264_4];
 
@@ -73,7 +73,7 @@ impl PotTable {
             for (x, step) in point.iter_mut().zip(STEPS) {
                 *x = (*x + step) % 1.0;
             }
-            // Cue ball and object ball anywhere on the table, file frame.
+            // Cue ball and object ball anywhere on the table, file coordinates.
             let middle = base.table().center();
             let place = |x: f64, y: f64| {
                 Some([middle.x + (2.0 * x - 1.0) * half.x, middle.y + (2.0 * y - 1.0) * half.y])
@@ -102,8 +102,8 @@ impl PotTable {
         kept * self.of_direction(line.tolerance, line.fullness, radius)
     }
 
-    /// The probability of a pot without cushions: `tolerance` is half of the width of the cue ball's
-    /// directions, rad; `fullness` the cosine of the cut angle; `radius` the cue ball's, m.
+    /// The probability of a pot without cushions: `tolerance` is half of the width of the cue
+    /// ball's directions, rad; `fullness` the cosine of the cut angle; `radius` the cue ball's, m.
     pub(crate) fn of_direction(&self, tolerance: f64, fullness: f64, radius: f64) -> f64 {
         let ease = tolerance / direction_error(&self.noise, radius);
         let (i, s) = cell(&FULLNESSES, fullness);
@@ -188,8 +188,8 @@ impl Sums {
     }
 }
 
-/// The interval of `nodes` that holds `x`, and the share of the interval before `x`; the ends for an
-/// `x` outside.
+/// The interval of `nodes` that holds `x`, and the share of the interval before `x`; the ends for
+/// an `x` outside.
 fn cell(nodes: &[f64], x: f64) -> (usize, f64) {
     let i = nodes[1..nodes.len() - 1].iter().take_while(|node| **node <= x).count();
     let share = (x - nodes[i]) / (nodes[i + 1] - nodes[i]);

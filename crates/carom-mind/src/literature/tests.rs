@@ -224,8 +224,8 @@ fn decisions_keep_to_their_budget() {
     }
 }
 
-/// After the 1 is potted into the top left pocket at the usual speed, the 2 is a shot of about one in
-/// three; with another stroke on the same line it is nearly certain.
+/// After the 1 is potted into the top left pocket at the usual speed, the 2 is a shot of about one
+/// in three; with another stroke on the same line it is nearly certain.
 fn layout_for_position() -> Frame {
     layout(&[
         (0, [0.84, 1.91]),
@@ -267,21 +267,22 @@ fn level_two_with_clusters_of_one_state_equals_the_full_evaluation() {
     let budget = Budget::simulations(400);
     let turn = frame.turn().expect("a shot");
     let value = player.value_of(&situation).expect("a value");
-    let desk = super::desk::Desk::new(&situation, &budget, turn, value).expect("a desk");
+    let baseline =
+        super::baseline::Baseline::new(&situation, &budget, turn, value).expect("a baseline");
     let gain = |state: &Frame| {
-        desk.value.gain(&Position { frame: state, noise: &situation.noise }, turn.player)
+        baseline.value.gain(&Position { frame: state, noise: &situation.noise }, turn.player)
     };
     let strokes = [Stroke::plain(1.5), Stroke::plain(2.5)];
-    let (shots, _) = generate(&desk, &strokes, 60, &gain).expect("shots");
-    let rated = level_one(&desk, shots, 8, &gain).expect("values");
+    let (shots, _) = generate(&baseline, &strokes, 60, &gain).expect("shots");
+    let rated = level_one(&baseline, shots, 8, &gain).expect("values");
     assert!(rated.len() > 1 && rated[0].kept > 0.0);
     let search = NodeSearch { strokes: &strokes, rating: Rating::Sampled(2), most: 30 };
-    let (values, _) = level_two(&desk, &rated, 8, &search, &gain).expect("values");
+    let (values, _) = level_two(&baseline, &rated, 8, &search, &gain).expect("values");
     let mut bench = Workbench::new(&frame);
     for (rated, value) in rated.iter().zip(&values) {
         let full = rated.states.iter().map(|state| {
-            if is_searched(state, &desk) {
-                node_value(&desk, &mut bench, state, &search, &gain).expect("a value")
+            if is_searched(state, &baseline) {
+                node_value(&baseline, &mut bench, state, &search, &gain).expect("a value")
             } else {
                 gain(state)
             }
@@ -290,7 +291,7 @@ fn level_two_with_clusters_of_one_state_equals_the_full_evaluation() {
         assert!((full - value).abs() < 1e-12, "{full} {value}");
     }
     // One cluster for all states is another number, so the test can fail.
-    let (coarse, _) = level_two(&desk, &rated, 1, &search, &gain).expect("values");
+    let (coarse, _) = level_two(&baseline, &rated, 1, &search, &gain).expect("values");
     assert!(coarse.iter().zip(&values).any(|(a, b)| (a - b).abs() > 1e-6));
 }
 

@@ -17,7 +17,8 @@ pub(crate) const PRIOR_SAMPLES: f64 = 4.0;
 pub enum PlayKind {
     /// To pot a ball along a line.
     Pot(LineKind),
-    /// To pot a ball in any other way: off cushions before and after the contact, or off another ball.
+    /// To pot a ball in any other way: off cushions before and after the contact, or off another
+    /// ball.
     Indirect,
     /// To leave the other player a difficult shot.
     Safety,
@@ -56,7 +57,7 @@ pub struct PlayedVariant {
     pub kept: bool,
     /// Whether the shot was a foul.
     pub foul: bool,
-    /// Where the cue ball came to rest, m, file frame; none if it did not stay on the table.
+    /// Where the cue ball came to rest, m, file coordinates; none if it did not stay on the table.
     pub end: Option<[f64; 2]>,
 }
 
@@ -71,15 +72,16 @@ pub struct Candidate {
     pub line: Option<Line>,
     /// The ball that is to fall, and the pocket.
     pub pot: Option<(BallIndex, PocketName)>,
-    /// The balls on the way to the pocket, first the cue ball, and the cushions that each meets without
-    /// errors. Only plays of a list have them; a play that pots nothing, and an indirect one, has none.
+    /// The balls on the way to the pocket, first the cue ball, and the cushions that each meets
+    /// without errors. Only plays of a list have them; a play that pots nothing, and an indirect
+    /// one, has none.
     pub legs: Vec<PlayedLeg>,
     /// Number of the prepared position: the place of a cue ball in hand.
     pub place: usize,
     /// Estimated value before any sample: a probability of winning.
     pub prior: f64,
-    /// Where the cue ball comes to rest without errors, m, file frame; none if it does not stay on
-    /// the table.
+    /// Where the cue ball comes to rest without errors, m, file coordinates; none if it does not
+    /// stay on the table.
     pub end: Option<[f64; 2]>,
     /// The samples so far, by which candidates are compared.
     pub samples: Vec<PlayedVariant>,

@@ -86,8 +86,8 @@ impl ShotTask<'_> {
         })
     }
 
-    /// Whether the cue ball may be placed at `center` (engine's frame), which is `place` in the
-    /// file's frame.
+    /// Whether the cue ball may be placed at `center` (engine's coordinates), which is `place` in
+    /// the file's coordinates.
     fn may_stand(&self, scene: &Scene<'_>, region: Region, center: Vec2, place: [f64; 2]) -> bool {
         let radius = self.cue_radius();
         scene.table.place_check(center, radius).is_inside()

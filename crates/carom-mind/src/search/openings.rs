@@ -1,5 +1,5 @@
-//! Candidates for the opening shot of a rack: known breaks and their variants, found ones where none is
-//! known, and a lattice.
+//! Candidates for the opening shot of a rack: known breaks and their variants, found ones where
+//! none is known, and a lattice.
 
 use carom::Error;
 use carom::math::{Vec2, atan2};
@@ -16,8 +16,8 @@ use crate::scene::Scene;
 use crate::targets::call_of;
 use carom_plan::Prepared;
 
-/// A break is searched if a decision has at least this many simulations; with fewer the best known one
-/// of a similar table is better.
+/// A break is searched if a decision has at least this many simulations; with fewer the best known
+/// one of a similar table is better.
 const LEAST_TO_SEARCH: u64 = 4000;
 /// Share of a decision's simulations that search a break, and their largest number: some seconds.
 const SEARCHING: f64 = 0.5;
@@ -28,17 +28,17 @@ const FROM_SEARCH: usize = 3;
 const PER_BREAK: u64 = 100;
 const RACED: u64 = 1500;
 const MOST_BREAKS: u64 = 16;
-/// Standard deviations of the variants of a break, as a share of the ranges that are searched: of one
-/// that was searched on this table, and of one of a similar table.
+/// Standard deviations of the variants of a break, as a share of the ranges that are searched: of
+/// one that was searched on this table, and of one of a similar table.
 const NEAR: f64 = 0.03;
 const FAR: f64 = 0.08;
 /// Difference of the priors of one opening shot and the next: only their order matters.
 const PRIOR_STEP: f64 = 1e-3;
 
-/// The opening shots that a decision compares, the most promising first: the known break, its mirror
-/// image, and variants of both. The rack is known, so a variant can be better than the break that is the
-/// best one on average. Where no break is known for the table, generations of a [`BreakSearch`] are
-/// rounds of the decision.
+/// The opening shots that a decision compares, the most promising first: the known break, its
+/// mirror image, and variants of both. The rack is known, so a variant can be better than the
+/// break that is the best one on average. Where no break is known for the table, generations of a
+/// [`BreakSearch`] are rounds of the decision.
 ///
 /// # Errors
 /// As [`BreakSearch::step`], and [`Error::Input`] for a given break that cannot be played.
@@ -87,7 +87,7 @@ const HEIGHTS: [f64; 3] = [0.1, -0.1, 0.25];
 const HITS: [f64; 3] = [0.0, 0.12, -0.12];
 
 impl ShotTask<'_> {
-    /// Places of the cue ball for an opening shot, file frame, m.
+    /// Places of the cue ball for an opening shot, file coordinates, m.
     pub(crate) fn opening_places(&self, region: Region) -> Vec<[f64; 2]> {
         let table = self.frame().base().table();
         let [low, high] = region.bounds(table);

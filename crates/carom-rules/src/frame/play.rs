@@ -26,14 +26,13 @@ impl Frame {
         Ok(self.prepared(play)?.into_shot())
     }
 
-    /// `play` as a player with the errors of `noise` executes it ([`execute`]): with the strike and the
-    /// contacts that cling of the variant that `seeds` determine. So every shot of a frame has errors
-    /// of its own. If `noise` has no cling, that of `play` remains.
+    /// `play` as a player with the errors of `noise` executes it ([`execute`]): with the strike
+    /// and the contacts that cling of the variant that `seeds` determine. So every shot of a frame
+    /// has errors of its own. If `noise` has no cling, that of `play` remains.
     ///
-    /// # Errors
-    /// As [`Self::shot`] for the intended play, and as [`Noise::check`]. The drawn play can be played
-    /// if the intended one can, except where the cue would pass through a ball or a rail and the
-    /// policies refuse that.
+    /// # Errors As [`Self::shot`] for the intended play, and as [`Noise::check`]. The drawn play
+    /// can be played if the intended one can, except where the cue would pass through a ball or a
+    /// rail and the policies refuse that.
     pub fn draw_play(&self, play: &Play, noise: &Noise, seeds: ErrorSeeds) -> Result<Play, Error> {
         noise.check()?;
         let turn = self.asked_turn()?;
@@ -44,8 +43,8 @@ impl Frame {
         Ok(Play { strike, cling, ..*play })
     }
 
-    /// `play` at the default elevation of its strike ([`Shot::default_elevation`]). The elevation in
-    /// `play` is not used.
+    /// `play` at the default elevation of its strike ([`Shot::default_elevation`]). The elevation
+    /// in `play` is not used.
     ///
     /// # Errors
     /// As [`Self::shot`].
@@ -211,7 +210,7 @@ impl Frame {
     /// As [`Self::play_in`], with a strike that is played to the last bit, in `shot`: what
     /// [`Self::shot`] returned for the same place of the cue ball, or a variant of it in which the
     /// balls are displaced a little (errors of perception) or other contacts cling. Also returns
-    /// the final states (file frame, in the order of `shot`), before any ball was spotted.
+    /// the final states (file coordinates, in the order of `shot`), before any ball was spotted.
     ///
     /// # Errors
     /// As [`Self::play`].

@@ -29,8 +29,8 @@ pub struct Prepared<'a> {
 }
 
 impl<'a> Prepared<'a> {
-    /// The shot that `frame` asks for, under the usual policies for strikes. `cue_ball` is the place
-    /// of a cue ball in hand: its centre (file frame, m).
+    /// The shot that `frame` asks for, under the usual policies for strikes. `cue_ball` is the
+    /// place of a cue ball in hand: its centre (file coordinates, m).
     ///
     /// # Errors
     /// [`Error::Input`] if the frame does not ask for a shot, and if the cue ball is placed where
@@ -74,8 +74,8 @@ impl<'a> Prepared<'a> {
     /// As [`Self::new`], with a `shot` that was made before: [`Frame::shot`] of the same frame and
     /// the same place of the cue ball.
     ///
-    /// # Errors
-    /// As [`Self::new`], and [`Error::Input`] if `shot` has another number of balls, or an end time.
+    /// # Errors As [`Self::new`], and [`Error::Input`] if `shot` has another number of balls, or
+    /// an end time.
     pub fn with_shot(
         frame: &'a Frame,
         cue_ball: Option<[f64; 2]>,
@@ -131,7 +131,8 @@ impl<'a> Prepared<'a> {
         &self.balls
     }
 
-    /// Where a cue ball in hand was placed (file frame, m); none if it is played where it lies.
+    /// Where a cue ball in hand was placed (file coordinates, m); none if it is played where it
+    /// lies.
     pub fn cue_ball(&self) -> Option<[f64; 2]> {
         self.turn.hand.and_then(|_| self.before.place(self.turn.cue))
     }

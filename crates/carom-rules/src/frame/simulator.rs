@@ -39,7 +39,7 @@ pub struct FrameSimulator {
     /// The outcome of the last simulation, in the frame's ball indices.
     outcome: OutcomeMemory,
     travel: CueBallTravel,
-    /// The final states of the last simulation (file frame).
+    /// The final states of the last simulation (file coordinates).
     last: Vec<BallState>,
     /// The balls of the last simulation; empty if it failed.
     balls: BallList,
@@ -93,7 +93,7 @@ impl FrameSimulator {
         let summary = self.simulator.play_strike(shot, strike, &mut both)?;
         self.travel = both.0.travel(0.5 * shot.table().size.y);
         let states = self.simulator.states(summary.duration).enumerate();
-        self.last.extend(states.map(|(i, state)| shot.to_file_frame(i, &state)));
+        self.last.extend(states.map(|(i, state)| shot.to_file_coordinates(i, &state)));
         self.outcome.finish(shot, &self.last);
         renumber(self.outcome.outcome_mut(), prepared.balls());
         self.balls.extend(prepared.balls().iter().copied());
@@ -131,8 +131,8 @@ impl FrameSimulator {
         self.outcome.outcome()
     }
 
-    /// The final states of the last simulation (file frame), before any ball was spotted, in the
-    /// order of the shot's balls; empty if it failed.
+    /// The final states of the last simulation (file coordinates), before any ball was spotted, in
+    /// the order of the shot's balls; empty if it failed.
     pub fn last(&self) -> &[BallState] {
         &self.last
     }

@@ -14,7 +14,7 @@ use crate::table::TableFeature;
 use crate::table::{JOIN_OVERLAP, Shape, Table};
 
 /// First feature of `table` that a ball on the cloth meets, and when. Its radius is `radius` (m);
-/// its centre moves on d + v t + h t² (in the table's frame) within [0, `horizon`] (s, may be
+/// its centre moves on d + v t + h t² (in the table's coordinates) within [0, `horizon`] (s, may be
 /// infinite).
 ///
 /// A ball meets a cushion when it touches it and approaches, and a pocket when the pocket captures
@@ -41,17 +41,17 @@ fn meeting(
     horizon: f64,
 ) -> Option<(f64, TableFeature)> {
     let path = &Motion { d: [d.x, d.y], v: [v.x, v.y], h: [h.x, h.y] };
-    let layout = &table.layout;
+    let geometry = &table.index;
     let reach = table.reach(radius);
-    let inner = Vec2::new(layout.half.x - reach, layout.half.y - reach);
-    if reach < layout.clear_reach {
+    let inner = Vec2::new(geometry.half.x - reach, geometry.half.y - reach);
+    if reach < geometry.clear_reach {
         return among_all(table, reach, path, horizon);
     }
     if keeps_clear(table, reach, path, horizon) {
         return None;
     }
     let start = Vec2::new(path.d[0], path.d[1]);
-    if !layout.mouths.is_empty()
+    if !geometry.mouths.is_empty()
         && ((start.x.abs() > inner.x && !on_long_nose(table, start.y))
             || (start.y.abs() > inner.y && !on_short_nose(table, start.x)))
     {
@@ -73,7 +73,7 @@ fn meeting(
         }
     };
     match rail {
-        Some(place) => Some((t, TableFeature::Cushion(layout.noses[place]))),
+        Some(place) => Some((t, TableFeature::Cushion(geometry.noses[place]))),
         None => in_mouth(table, reach, path, t, horizon),
     }
 }
@@ -82,7 +82,7 @@ fn meeting(
 /// where a ball meets nothing.
 #[inline(always)]
 pub fn keeps_clear(table: &Table, reach: f64, path: &Motion<2>, horizon: f64) -> bool {
-    let half = table.layout.half;
+    let half = table.index.half;
     stays_inside(half.x - reach, path.d[0], path.v[0], path.h[0], horizon)
         && stays_inside(half.y - reach, path.d[1], path.v[1], path.h[1], horizon)
 }
@@ -129,13 +129,13 @@ fn exit(limit: f64, d: f64, v: f64, h: f64, horizon: f64) -> Option<(f64, bool)>
 /// Whether the nose of a short rail is at abscissa `x`.
 #[inline(always)]
 fn on_short_nose(table: &Table, x: f64) -> bool {
-    x.abs() <= table.layout.nose_x + JOIN_OVERLAP
+    x.abs() <= table.index.nose_x + JOIN_OVERLAP
 }
 
 /// Whether the nose of a long rail is at ordinate `y`.
 #[inline(always)]
 fn on_long_nose(table: &Table, y: f64) -> bool {
-    let [from, to] = table.layout.nose_y;
+    let [from, to] = table.index.nose_y;
     let y = y.abs();
     y >= from - JOIN_OVERLAP && y <= to + JOIN_OVERLAP
 }
@@ -151,12 +151,12 @@ fn in_mouth(
     from: f64,
     horizon: f64,
 ) -> Option<(f64, TableFeature)> {
-    let layout = &table.layout;
+    let geometry = &table.index;
     let [x, y] = path.at(from);
-    let at_side = y.abs() < layout.nose_y[0];
+    let at_side = y.abs() < geometry.nose_y[0];
     let right = usize::from(x > 0.0);
     let index = if at_side { 2 + right } else { right + if y > 0.0 { 4 } else { 0 } };
-    let (pocket, mouth) = (&table.pockets[index], &layout.mouths[index]);
+    let (pocket, mouth) = (&table.pockets[index], &geometry.mouths[index]);
 
     // The gate comes first: it is cheap and ends the window in which the other parts matter. The
     // hole comes last: a contact with a jaw before it often rules it out. All use the same horizon,
@@ -189,11 +189,11 @@ fn in_mouth(
     let (outwards, upwards) = (if x > 0.0 { 1.0 } else { -1.0 }, if y > 0.0 { 1.0 } else { -1.0 });
     let alone = if at_side {
         window.least(Vec2::new(outwards, 0.0)) > 0.0
-            && window.least(Vec2::new(0.0, 1.0)) > -layout.nose_y[1]
-            && window.least(Vec2::new(0.0, -1.0)) > -layout.nose_y[1]
+            && window.least(Vec2::new(0.0, 1.0)) > -geometry.nose_y[1]
+            && window.least(Vec2::new(0.0, -1.0)) > -geometry.nose_y[1]
     } else {
-        window.least(Vec2::new(outwards, 0.0)) > -layout.nose_x
-            && window.least(Vec2::new(0.0, upwards)) > layout.nose_y[0]
+        window.least(Vec2::new(outwards, 0.0)) > -geometry.nose_x
+            && window.least(Vec2::new(0.0, upwards)) > geometry.nose_y[0]
     };
     if alone { first } else { among_all(table, reach, path, horizon) }
 }
@@ -269,7 +269,7 @@ fn among_all(
             window = Window::new(path, 0.0, t);
         }
     }
-    for (i, (pocket, mouth)) in table.pockets.iter().zip(&table.layout.mouths).enumerate() {
+    for (i, (pocket, mouth)) in table.pockets.iter().zip(&table.index.mouths).enumerate() {
         if let Some(t) = ball_pocket::first_capture(pocket, &mouth.gate, reach, path, horizon)
             && first.is_none_or(|(earliest, _)| t < earliest)
         {

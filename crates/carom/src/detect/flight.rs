@@ -29,7 +29,7 @@ const LOOK_AHEAD: f64 = 1e-12;
 const PASSED: f64 = 1e-12;
 
 /// Earliest feature of `table` that a flying ball meets, and when. Its radius is `radius` (m); its
-/// centre moves on d + v t + h t² (in the engine's frame) within [0, `horizon`] (s, may be
+/// centre moves on d + v t + h t² (in the engine's coordinates) within [0, `horizon`] (s, may be
 /// infinite).
 ///
 /// The path must be a flight: no horizontal acceleration, and a downward one. The ball meets slate,
@@ -48,8 +48,8 @@ pub fn first_meeting(
     horizon: f64,
 ) -> Option<(f64, TableFeature)> {
     let landing = first_crossing(path.d[2] - radius, path.v[2], path.h[2], horizon);
-    let margin = if radius > table.layout.clear_reach { radius } else { table.layout.clear_reach };
-    let half = table.layout.half;
+    let margin = if radius > table.index.clear_reach { radius } else { table.index.clear_reach };
+    let half = table.index.half;
     let until = landing.unwrap_or(horizon);
     if keeps_within(half.x - margin, path.d[0], path.v[0], until)
         && keeps_within(half.y - margin, path.d[1], path.v[1], until)
@@ -137,11 +137,11 @@ impl Flight<'_> {
             }
         });
         let until = ground.and_then(|(t, _)| t).unwrap_or(first.last);
-        let border = table.layout.border;
+        let border = table.index.border;
         for (d, v, border) in [(path.d[0], path.v[0], border.x), (path.d[1], path.v[1], border.y)] {
             if !keeps_within(border, d, v, until) {
                 let t = first_crossing(border - d * v.signum(), -v.abs(), 0.0, first.last);
-                first.offer(t, TableFeature::Edge);
+                first.offer(t, TableFeature::Border);
             }
         }
         if !self.keeps_under(table.cushion_height)
@@ -190,7 +190,7 @@ impl Flight<'_> {
         }
         let (table, plan) = (self.table, plan(self.path));
         let top = table.cushion_height + self.radius;
-        for (k, (pocket, mouth)) in table.pockets.iter().zip(&table.layout.mouths).enumerate() {
+        for (k, (pocket, mouth)) in table.pockets.iter().zip(&table.index.mouths).enumerate() {
             let t = super::ball_pocket::through_gate(pocket, &mouth.gate, 0.0, &plan, first.last);
             let low = |t: &f64| self.path.at(*t)[2] <= top;
             first.offer(t.filter(low), TableFeature::Pocket(k as u8));
@@ -205,7 +205,7 @@ impl Flight<'_> {
         {
             return;
         }
-        let Table { layout, pockets, .. } = self.table;
+        let Table { index, pockets, .. } = self.table;
         let mut track = PlanLine::new(self.path, first.last);
         if let Some((_, TableFeature::Lip(k))) = first.found
             && self.keeps_to_middle(usize::from(k), &track)
@@ -214,21 +214,21 @@ impl Flight<'_> {
         }
         let field = track.bounds().grown(radius);
         if pockets.is_empty() {
-            for (i, place) in layout.bounds[..layout.on_cloth].iter().enumerate() {
+            for (i, place) in index.bounds[..index.on_cloth].iter().enumerate() {
                 if !field.is_clear_of(place) {
                     self.meet_part(i, first, &mut track, last);
                 }
             }
             return;
         }
-        for &nose in layout.nose_quadrants.near(&field) {
+        for &nose in index.nose_quadrants.near(&field) {
             let nose = usize::from(nose);
-            if !field.is_clear_of(&layout.bounds[nose]) {
+            if !field.is_clear_of(&index.bounds[nose]) {
                 self.meet_part(nose, first, &mut track, last);
             }
         }
-        for &k in layout.mouth_quadrants.near(&field) {
-            let mouth = &layout.mouths[usize::from(k)];
+        for &k in index.mouth_quadrants.near(&field) {
+            let mouth = &index.mouths[usize::from(k)];
             if field.is_clear_of(&mouth.bounds) {
                 continue;
             }
@@ -243,7 +243,7 @@ impl Flight<'_> {
     /// Whether the ball provably stays in the middle of the mouth of pocket `k`, where it touches
     /// no edge or wall. Most hops on a lip do.
     fn keeps_to_middle(&self, k: usize, track: &PlanLine) -> bool {
-        let (pocket, mouth) = (&self.table.pockets[k], &self.table.layout.mouths[k]);
+        let (pocket, mouth) = (&self.table.pockets[k], &self.table.index.mouths[k]);
         let is_there = |place: Vec2| {
             let from_center = place - pocket.center;
             let along = pocket.axis.dot(from_center);
@@ -279,10 +279,10 @@ impl Flight<'_> {
         let Some(from) = from.filter(|t| *t < first.last) else { return };
         let track = PlanLine::new(path, first.last);
         let field = track.bounds().grown(radius);
-        for &k in self.table.layout.mouth_quadrants.near(&field) {
+        for &k in self.table.index.mouth_quadrants.near(&field) {
             let k = usize::from(k);
             let pocket = &self.table.pockets[k];
-            if field.is_clear_of(&self.table.layout.mouths[k].bounds)
+            if field.is_clear_of(&self.table.index.mouths[k].bounds)
                 || track.is_clear_of_disc(pocket.center, pocket.radius + radius)
                 || track.is_within_disc(pocket.center, pocket.radius - radius)
             {
@@ -320,7 +320,7 @@ impl Flight<'_> {
     fn is_at_liner(&self, k: usize, around: &Motion<3>, t: f64) -> bool {
         let [x, y, _] = around.at(t);
         let from_center = Vec2::new(x, y);
-        let along = self.table.layout.mouths[k].liner_from * from_center.length();
+        let along = self.table.index.mouths[k].liner_from * from_center.length();
         self.table.pockets[k].axis.dot(from_center) > along
     }
 }

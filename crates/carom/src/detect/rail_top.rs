@@ -11,7 +11,7 @@ use crate::table::{Bounds, Capture, JOIN_OVERLAP, Pocket, Shape, Table, arc_side
 
 /// First time in [0, `horizon`] (s, may be infinite) at which a ball on a rail's top loses its
 /// support, and where: `Brink` at the edge of a cushion or pocket, `Edge` at the border. The centre
-/// moves on d + v t + h t² (m, in the engine's frame, in plan view).
+/// moves on d + v t + h t² (m, in the engine's coordinates, in plan view).
 pub fn first_loss_of_support(
     table: &Table,
     path: &Motion<2>,
@@ -27,16 +27,16 @@ pub fn first_loss_of_support(
         }
         last
     };
-    for (axis, border) in [(0, table.layout.border.x), (1, table.layout.border.y)] {
+    for (axis, border) in [(0, table.index.border.x), (1, table.index.border.y)] {
         let (d, v, h) = (path.d[axis], path.v[axis], path.h[axis]);
-        offer(first_crossing(border - d, -v, -h, horizon), TableFeature::Edge);
-        offer(first_crossing(border + d, v, h, horizon), TableFeature::Edge);
+        offer(first_crossing(border - d, -v, -h, horizon), TableFeature::Border);
+        offer(first_crossing(border + d, v, h, horizon), TableFeature::Border);
     }
     // A moving ball reaches the border in the end.
-    let end = offer(None, TableFeature::Edge);
+    let end = offer(None, TableFeature::Border);
     if end < f64::INFINITY {
         let field = field(path, end);
-        for (cushion, place) in table.cushions.iter().zip(&table.layout.bounds) {
+        for (cushion, place) in table.cushions.iter().zip(&table.index.bounds) {
             if field.is_clear_of(place) {
                 continue;
             }

@@ -1,4 +1,4 @@
-//! A table's geometry as a tree of values, in the file's frame, for bindings and pictures.
+//! A table's geometry as a tree of values, in the file's coordinates, for bindings and pictures.
 
 use super::node::Node;
 use super::table::{write_sights, write_spots};

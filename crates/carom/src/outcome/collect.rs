@@ -26,7 +26,7 @@ pub struct OutcomeMemory {
     tracks: Tracks,
     frozen: Vec<Frozen>,
     jumps: Jumps,
-    /// Room for an event's states before and after it in the file's frame.
+    /// Room for an event's states before and after it in the file's coordinates.
     states: [Vec<BallState>; 2],
     /// Room for the balls met during the strike: the distance to each, m, and its index in the
     /// event.
@@ -53,7 +53,7 @@ impl<'a> Collector<'a> {
         self.memory.add(self.shot, event);
     }
 
-    /// The outcome, once `last` are the balls' final states in the file's frame.
+    /// The outcome, once `last` are the balls' final states in the file's coordinates.
     pub fn finish(mut self, last: &[BallState]) -> Outcome {
         self.memory.finish(self.shot, last);
         self.memory.outcome
@@ -92,7 +92,7 @@ impl OutcomeMemory {
     }
 
     /// Completes the outcome; `last` are the final states of the balls of `shot` in the file's
-    /// frame ([`Shot::to_file_frame`]).
+    /// coordinates ([`Shot::to_file_coordinates`]).
     pub fn finish(&mut self, shot: &Shot, last: &[BallState]) {
         let states = (0u16..).zip(shot.balls()).zip(last);
         let restless = states.filter(|((_, placed), state)| {
@@ -208,7 +208,7 @@ impl OutcomeMemory {
         self.met = met;
     }
 
-    /// Writes the states of `event` into `states`, in the file's frame.
+    /// Writes the states of `event` into `states`, in the file's coordinates.
     fn convert(&mut self, shot: &Shot, event: &TraceEvent<'_>) {
         let origin = self.tracks.origin;
         for (list, states) in self.states.iter_mut().zip([event.before, event.after]) {
@@ -260,9 +260,10 @@ fn met_during_strike<'e>(
     })
 }
 
-/// The next ball after `last` that ball `own` of a contact of `balls` touches directly, in the order
-/// of the gap between them (m), then of the index among `balls`. Most balls of a many-ball contact
-/// do not touch each other directly. `before` are the balls' states, in the file's frame.
+/// The next ball after `last` that ball `own` of a contact of `balls` touches directly, in the
+/// order of the gap between them (m), then of the index among `balls`. Most balls of a many-ball
+/// contact do not touch each other directly. `before` are the balls' states, in the file's
+/// coordinates.
 fn next_touched(
     shot: &Shot,
     balls: &[u16],
@@ -287,7 +288,7 @@ fn next_touched(
 }
 
 /// Adds the balls of `shot` that hang over the edge of a hole to `hanging`; `last` are the final
-/// states in the file's frame.
+/// states in the file's coordinates.
 fn find_hanging(shot: &Shot, last: &[BallState], hanging: &mut Vec<(u16, PocketName)>) {
     let table = shot.table();
     let center = table.center();
@@ -332,9 +333,9 @@ impl<'a> OutcomeRecorder<'a> {
         &self.memory.outcome
     }
 
-    /// The outcome, once `last` are the balls' final states in the engine's frame.
+    /// The outcome, once `last` are the balls' final states in the engine's coordinates.
     pub fn finish(mut self, last: &[BallState]) -> Outcome {
-        let in_file = |(i, state)| self.shot.to_file_frame(i, state);
+        let in_file = |(i, state)| self.shot.to_file_coordinates(i, state);
         let last: Vec<_> = last.iter().enumerate().map(in_file).collect();
         self.memory.finish(self.shot, &last);
         self.memory.outcome

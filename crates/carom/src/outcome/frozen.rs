@@ -27,12 +27,12 @@ impl Frozen {
         let table = shot.table();
         frozen.clear();
         for (ball, placed) in (0u16..).zip(shot.balls()) {
-            let position = table.to_engine_frame(&placed.state).position;
+            let position = table.to_engine_coordinates(&placed.state).position;
             let above = position.z - table.cushion_height;
             let radius = placed.ball.radius;
             let reach = radius + TOUCH_TOLERANCE;
             // No cushion lies inside the nose lines.
-            let inner = table.layout.half - Vec2::new(reach, reach);
+            let inner = table.index.half - Vec2::new(reach, reach);
             if position.x.abs() < inner.x && position.y.abs() < inner.y {
                 continue;
             }

@@ -7,7 +7,7 @@ use crate::motion::Path;
 use crate::shot::Shot;
 use crate::simulate::BallSet;
 
-/// A ball's path since its last event, in the file's frame.
+/// A ball's path since its last event, in the file's coordinates.
 #[derive(Clone, Debug)]
 pub(super) struct Track {
     /// Time of that event, s since the strike.
@@ -34,11 +34,11 @@ pub(super) enum Origin {
 }
 
 impl Origin {
-    /// A `state` of ball `ball`, given in this frame, in the file's frame.
+    /// A `state` of ball `ball`, given in this frame, in the file's coordinates.
     pub(super) fn in_file(self, shot: &Shot, ball: u16, state: &BallState) -> BallState {
         match self {
             Self::File => *state,
-            Self::Engine => shot.to_file_frame(usize::from(ball), state),
+            Self::Engine => shot.to_file_coordinates(usize::from(ball), state),
         }
     }
 }

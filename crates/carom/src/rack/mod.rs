@@ -38,14 +38,14 @@ const WIDEST_GAP: f64 = 5e-3;
 /// it" (rules of snooker, section 3). Estimated.
 const PINK_GAP: f64 = 1e-3;
 
-/// Distance of the cue ball from the middle of the head string in the starting position of carom, m (UMB;
-/// from memory, not verified).
+/// Distance of the cue ball from the middle of the head string in the starting position of carom,
+/// m (UMB; from memory, not verified).
 const CUE_BALL_OFFSET: f64 = 0.1825;
 
 /// PCG's stream. Any constant would do; another one changes the rack of every seed.
 const STREAM: u128 = 0x6361_726f_6d20_7261_636b;
 
-/// A ball of a rack: its id, and its centre on the cloth in the file's frame, m.
+/// A ball of a rack: its id, and its centre on the cloth in the file's coordinates, m.
 pub type RackedBall = (String, [f64; 2]);
 
 /// The balls of `game` on `table`, the cue ball first, before the break. All balls have `radius`
@@ -77,8 +77,8 @@ pub fn rack(
     Ok(balls)
 }
 
-/// Positions of the colours of snooker on `table`, from the yellow to the black (file's frame, m):
-/// on the table's own spots, else where a snooker table has them, in proportion.
+/// Positions of the colours of snooker on `table`, from the yellow to the black (file's
+/// coordinates, m): on the table's own spots, else where a snooker table has them, in proportion.
 pub fn snooker_spots(table: &Table) -> [[f64; 2]; 6] {
     let [middle, baulk] = spot(table, "brown", 0.2);
     let [yellow, _] = spot(table, "yellow", 0.2);

@@ -1,8 +1,8 @@
 //! The pose of the cue in space: where its tip is and where it points.
 //!
-//! With the cue's direction d = (cos θ·cos φ, cos θ·sin φ, −sin θ) for the azimuth φ and the elevation
-//! θ, the horizontal r = (sin φ, −cos φ, 0) to its right, and u = r × d = (sin θ·cos φ, sin θ·sin φ,
-//! cos θ), the tip touches the ball with the centre C and the radius R at
+//! With the cue's direction d = (cos θ·cos φ, cos θ·sin φ, −sin θ) for the azimuth φ and the
+//! elevation θ, the horizontal r = (sin φ, −cos φ, 0) to its right, and u = r × d = (sin θ·cos φ,
+//! sin θ·sin φ, cos θ), the tip touches the ball with the centre C and the radius R at
 //!
 //! C + R(side·r + height·u − √(1 − side² − height²)·d).
 //!
@@ -17,7 +17,7 @@ use crate::error::{Error, ErrorKind};
 use crate::math::{Vec3, atan2, sin_cos, sqrt};
 use crate::resolve::cue_ball::Strike;
 
-/// The cue at the moment when its tip touches the ball, in the file's frame.
+/// The cue at the moment when its tip touches the ball, in the file's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CuePose {
     /// Where the tip touches the ball, m. It is on the cue's axis.
@@ -49,8 +49,8 @@ impl CuePose {
         self.tip - self.direction * LENGTH
     }
 
-    /// The strike of a cue in this pose with `speed` (m/s) on `ball`. The tip may be anywhere on the
-    /// cue's axis, also before it touches the ball, and the direction may have any length.
+    /// The strike of a cue in this pose with `speed` (m/s) on `ball`. The tip may be anywhere on
+    /// the cue's axis, also before it touches the ball, and the direction may have any length.
     ///
     /// # Errors
     /// [`Error::Input`] if the direction has no length, points up or straight down, or if the axis
@@ -84,8 +84,8 @@ impl CuePose {
 /// How far a cue is from what is nearest to it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CueClearance {
-    /// How much the cue may move across its axis, in its vertical plane, until it touches, m. Negative
-    /// if it passes through.
+    /// How much the cue may move across its axis, in its vertical plane, until it touches, m.
+    /// Negative if it passes through.
     pub distance: f64,
     /// The ball or rail.
     pub nearest: Touched,
@@ -98,8 +98,8 @@ impl Shot {
         Some(CuePose::new(&strike, (&self.balls[ball]).into()))
     }
 
-    /// The clearance of the cue over the balls and rails behind the struck ball; none without a strike,
-    /// and if nothing is in the cue's vertical plane.
+    /// The clearance of the cue over the balls and rails behind the struck ball; none without a
+    /// strike, and if nothing is in the cue's vertical plane.
     pub fn cue_clearance(&self) -> Option<CueClearance> {
         let (ball, strike) = self.strike?;
         let clearance = self.cue_on(ball, &strike).clearance(strike.elevation);

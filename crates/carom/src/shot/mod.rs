@@ -46,7 +46,7 @@ pub struct PlacedBall {
     pub id: String,
     /// Mass and radius.
     pub ball: Ball,
-    /// State at time 0, in the file's frame (origin at the bottom left corner).
+    /// State at time 0, in the file's coordinates (origin at the bottom left corner).
     pub state: BallState,
 }
 
@@ -182,8 +182,8 @@ impl Shot {
     }
 
     /// Other balls on the same table, under the same physics; `strike` is the struck ball's index
-    /// and the strike. States are in the file's frame; each ball's motion state follows from the
-    /// rest.
+    /// and the strike. States are in the file's coordinates; each ball's motion state follows from
+    /// the rest.
     ///
     /// # Errors
     /// [`Error::Input`] for everything for which a shot file with these `balls` and this `strike`
@@ -222,9 +222,9 @@ impl Shot {
         .checked()
     }
 
-    /// Makes this shot equal to `source`, with the contacts of `cling` and with balls that it shares
-    /// with no other shot. Returns the balls; the caller may move them to places where they have
-    /// room. Allocates nothing if the shot had such balls already, as many as `source`.
+    /// Makes this shot equal to `source`, with the contacts of `cling` and with balls that it
+    /// shares with no other shot. Returns the balls; the caller may move them to places where they
+    /// have room. Allocates nothing if the shot had such balls already, as many as `source`.
     pub(crate) fn become_variant(&mut self, source: &Self, cling: Cling) -> &mut [PlacedBall] {
         let Self { table, physics, balls, .. } = self;
         share(table, &source.table);
@@ -310,7 +310,7 @@ impl Shot {
         &self.physics
     }
 
-    /// The balls, in the order of the file; states in the file's frame.
+    /// The balls, in the order of the file; states in the file's coordinates.
     pub fn balls(&self) -> &[PlacedBall] {
         &self.balls
     }
@@ -475,12 +475,13 @@ impl Shot {
         })
     }
 
-    /// A state of ball `ball` in the engine's frame, converted to the file's. A coordinate that has
-    /// not changed since the start gets the exact value of the file; the conversion would round it.
-    pub fn to_file_frame(&self, ball: usize, state: &BallState) -> BallState {
+    /// A state of ball `ball` in the engine's coordinates, converted to the file's. A coordinate
+    /// that has not changed since the start gets the exact value of the file; the conversion would
+    /// round it.
+    pub fn to_file_coordinates(&self, ball: usize, state: &BallState) -> BallState {
         let written = &self.balls[ball].state;
-        let start = self.table.to_engine_frame(written).position;
-        let mut out = self.table.to_file_frame(state);
+        let start = self.table.to_engine_coordinates(written).position;
+        let mut out = self.table.to_file_coordinates(state);
         if state.position.x == start.x {
             out.position.x = written.position.x;
         }

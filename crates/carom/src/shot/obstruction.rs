@@ -52,7 +52,7 @@ pub enum Touched {
 /// A ball as an obstacle.
 #[derive(Clone, Copy, Debug)]
 pub struct BallInSpace {
-    /// Its centre in the file's frame, m.
+    /// Its centre in the file's coordinates, m.
     pub center: Vec3,
     /// Its radius, m.
     pub radius: f64,
@@ -209,8 +209,8 @@ impl CueLine {
         self.least_from(stroke).filter(|least| *least <= STEEPEST_DEFAULT).unwrap_or(stroke)
     }
 
-    /// How far (m) a cue at `elevation` is from the obstacle that it comes nearest to, across its axis
-    /// in its vertical plane; negative if it passes through.
+    /// How far (m) a cue at `elevation` is from the obstacle that it comes nearest to, across its
+    /// axis in its vertical plane; negative if it passes through.
     pub(super) fn clearance(&self, elevation: f64) -> Option<(f64, Touched)> {
         let behind = self.obstacles.iter().filter(|o| (o.polar - elevation).abs() < UPRIGHT);
         let distances = behind.map(|obstacle| {
@@ -245,7 +245,7 @@ struct Crossing {
 }
 
 /// The edges of the rails' tops that the ray from `from` along the unit vector `way` crosses, in
-/// the engine's frame.
+/// the engine's coordinates.
 fn edges(table: &Table, from: Vec2, way: Vec2) -> Vec<Crossing> {
     let mut found = Vec::new();
     let Some(description) = &table.description else { return found };

@@ -41,7 +41,7 @@ pub(super) fn check(index: usize, placed: &PlacedBall, table: &Table) -> Result<
             "choose a smaller ball, or a larger hole_radius of the table's pockets",
         ));
     }
-    let position = table.to_engine_frame(&placed.state).position;
+    let position = table.to_engine_coordinates(&placed.state).position;
     let problem = if placed.state.motion == MotionState::Airborne {
         in_the_air(table, position, radius)
     } else {
@@ -55,7 +55,8 @@ pub(super) fn is_inside(placed: &PlacedBall, table: &Table) -> bool {
     if !table.size.x.is_finite() {
         return true;
     }
-    let (position, radius) = (table.to_engine_frame(&placed.state).position, placed.ball.radius);
+    let (position, radius) =
+        (table.to_engine_coordinates(&placed.state).position, placed.ball.radius);
     let placement = if placed.state.motion == MotionState::Airborne {
         table.place_in_air(position, radius)
     } else {

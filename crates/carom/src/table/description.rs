@@ -113,7 +113,7 @@ pub struct Markings {
 pub struct Spot {
     /// Its name: `head`, `center`, `foot`, or that of the ball that stands on it.
     pub name: String,
-    /// Its position in the file's frame (origin at the bottom left corner), m.
+    /// Its position in the file's coordinates (origin at the bottom left corner), m.
     pub position: [f64; 2],
 }
 

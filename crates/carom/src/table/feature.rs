@@ -17,6 +17,6 @@ pub enum TableFeature {
     Depth(u8),
     /// The edge of a rail's top, where a ball on the top loses its support.
     Brink,
-    /// The outer edge of the rails.
-    Edge,
+    /// The outer border of the rails.
+    Border,
 }

@@ -8,8 +8,8 @@ use alloc::vec::Vec;
 use core::f64::consts::FRAC_1_SQRT_2;
 
 use super::bounds::Quadrants;
+use super::detection_index::Mouth;
 use super::jaw::{Jaw, RailFrame, hole_center, jaw, tangent_length};
-use super::layout::Mouth;
 use super::opening::{Back, Liner, Openings, liner};
 use super::pocket_kind::PocketKind;
 use super::{
@@ -72,7 +72,7 @@ impl PocketBack {
 }
 
 impl Table {
-    /// Unbounded cloth without rails. The engine's frame is the file's.
+    /// Unbounded cloth without rails. The engine's coordinates is the file's.
     pub fn unbounded() -> Self {
         let size = Vec2::new(f64::INFINITY, f64::INFINITY);
         Self {
@@ -82,7 +82,7 @@ impl Table {
             cushion_height: 0.0,
             cushions: Vec::new(),
             pockets: Vec::new(),
-            layout: DetectionIndex {
+            index: DetectionIndex {
                 half: size,
                 nose_x: f64::INFINITY,
                 nose_y: [0.0, f64::INFINITY],
@@ -116,15 +116,15 @@ impl Table {
             cushion_height: description.cushion_height,
             ..Self::unbounded()
         };
-        table.layout.half = half;
+        table.index.half = half;
         let rail = Vec2::new(description.rail_width, description.rail_width);
-        table.layout.border = half + rail;
+        table.index.border = half + rail;
         match description.pockets {
             PocketLayout::None => table.add_plain_rails(half),
             PocketLayout::Six => table.add_rails_and_pockets(half, description)?,
         }
         table.add_tops();
-        table.layout.bound_parts(&table.cushions, &table.pockets);
+        table.index.bound_parts(&table.cushions, &table.pockets);
         Ok(table)
     }
 
@@ -135,10 +135,10 @@ impl Table {
         {
             self.cushions.push(nose(rail, corners[i], corners[(i + 1) % 4]));
         }
-        self.layout.nose_x = x;
-        self.layout.nose_y = [0.0, y];
-        self.layout.noses = [0, 2, 3, 3, 1, 1];
-        self.layout.on_cloth = self.cushions.len();
+        self.index.nose_x = x;
+        self.index.nose_y = [0.0, y];
+        self.index.noses = [0, 2, 3, 3, 1, 1];
+        self.index.on_cloth = self.cushions.len();
     }
 
     fn add_rails_and_pockets(
@@ -157,26 +157,26 @@ impl Table {
         let at_left = jaw(corner, PocketKind::Corner, rubber, left)?;
         let at_side = jaw(side, PocketKind::Side, rubber, below_side)?;
 
-        self.layout.nose_x = half.x - at_bottom.nose_start;
-        self.layout.nose_y = [at_side.nose_start, half.y - at_left.nose_start];
-        check::noses(self.layout.nose_x, self.layout.nose_y)?;
+        self.index.nose_x = half.x - at_bottom.nose_start;
+        self.index.nose_y = [at_side.nose_start, half.y - at_left.nose_start];
+        check::noses(self.index.nose_x, self.index.nose_y)?;
         let jaws = [&at_bottom, &at_left, &at_side];
         let mut in_mouth = self.add_rails(jaws);
-        self.layout.on_cloth = self.cushions.len();
+        self.index.on_cloth = self.cushions.len();
         let model = description.pocket_model;
         let backs = match model {
             PocketModel::DropCircle => self.add_backs(jaws, [corner, side], &mut in_mouth)?,
             PocketModel::MouthLine => [PocketBack::at(&at_bottom), PocketBack::at(&at_side)],
         };
-        self.layout.openings = Some(Openings::new(
+        self.index.openings = Some(Openings::new(
             jaws,
             [backs[0].of_opening(PocketKind::Corner), backs[1].of_opening(PocketKind::Side)],
         ));
         let corner_jaws = [&at_bottom, &at_left];
         self.add_pockets(model, [corner, side], corner_jaws, &at_side, backs, in_mouth);
-        self.layout.clear_reach = clear_reach(model, corner, side, &at_bottom);
+        self.index.clear_reach = clear_reach(model, corner, side, &at_bottom);
         check::holes(&self.pockets)?;
-        check::rails(self.layout.border, half, &self.pockets)
+        check::rails(self.index.border, half, &self.pockets)
     }
 
     /// Adds the liners, which close the pockets behind the deep ends of their jaws. Returns the
@@ -187,7 +187,7 @@ impl Table {
         [corner_shape, side_shape]: [&PocketDescription; 2],
         in_mouth: &mut [Vec<u16>; 6],
     ) -> Result<[PocketBack; 2], TableError> {
-        let half = self.layout.half;
+        let half = self.index.half;
         let (at_corner, at_side) = (PocketKind::Corner, PocketKind::Side);
         let corner_hole = hole_center(corner_shape, at_corner, half);
         let side_hole = hole_center(side_shape, at_side, half);
@@ -218,7 +218,7 @@ impl Table {
             let [start, end] =
                 [first, last].map(|placed| scaled(placed.jaw.nose_end, placed.signs));
             self.cushions.push(nose(rail, start, end));
-            self.layout.noses[place] = nose_index;
+            self.index.noses[place] = nose_index;
             let last_indices = self.add_jaw(rail, last, false);
             for (placed, indices) in [(first, first_indices), (last, last_indices)] {
                 let list = &mut jaws[placed.pocket][placed.slot];
@@ -260,7 +260,7 @@ impl Table {
             self.cushions.push(CushionPart { rail, part: Part::Liner, shape });
         }
         if [bottom, left, side].iter().any(|liner| liner.exposed) {
-            self.layout.on_cloth = self.cushions.len();
+            self.index.on_cloth = self.cushions.len();
         }
         for (rail, placed) in each {
             let shape = mirrored(placed.jaw.wall, placed.signs);
@@ -270,10 +270,10 @@ impl Table {
 
     /// Adds the tops of the rails, mitred at the corners.
     fn add_tops(&mut self) {
-        let DetectionIndex { half, border, .. } = self.layout;
+        let DetectionIndex { half, border, .. } = self.index;
         let mut add = |rail, places: &[usize], ends: [Vec2; 2]| {
             for &place in places {
-                self.layout.tops[place] = self.cushions.len() as u16;
+                self.index.tops[place] = self.cushions.len() as u16;
             }
             // From the nose line out to the border.
             let on = |size: Vec2| ends.map(|end| scaled(size, end));
@@ -307,7 +307,7 @@ impl Table {
         backs: [PocketBack; 2],
         in_mouth: [Vec<u16>; 6],
     ) {
-        let half = self.layout.half;
+        let half = self.index.half;
         let pockets = [
             (PocketName::BottomLeft, 1.0, 1.0, PocketKind::Corner),
             (PocketName::BottomRight, -1.0, 1.0, PocketKind::Corner),
@@ -364,7 +364,7 @@ impl Table {
             });
             let bounds = Bounds::of([mouth[0]]);
             let (liner_from, all) = (back.liner_from, Vec::new());
-            self.layout.mouths.push(Mouth { parts, gate, liner_from, all, bounds, aisle: 0.0 });
+            self.index.mouths.push(Mouth { parts, gate, liner_from, all, bounds, aisle: 0.0 });
         }
     }
 }

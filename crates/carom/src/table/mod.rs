@@ -6,14 +6,14 @@
 
 mod bounds;
 mod check;
+mod coordinates;
 mod description;
+mod detection_index;
 mod dimensions;
 mod error;
 mod feature;
-mod frame;
 mod geometry;
 mod jaw;
-mod layout;
 mod opening;
 mod place;
 mod pocket_kind;
@@ -37,11 +37,11 @@ pub use sheet::Source;
 
 use crate::math::{Vec2, sqrt};
 pub(crate) use bounds::Bounds;
-pub(crate) use layout::{AISLE, DetectionIndex, Gate, JOIN_OVERLAP};
+pub(crate) use detection_index::{AISLE, DetectionIndex, Gate, JOIN_OVERLAP};
 pub(crate) use surface::UNDER_EDGE;
 
-/// A table's geometry, in the engine's frame: origin at the centre of the playing area, x along
-/// the width, y along the length. Mirrored parts have mirrored bits.
+/// A table's geometry, in the engine's coordinates: origin at the centre of the playing area, x
+/// along the width, y along the length. Mirrored parts have mirrored bits.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// Name of the preset, if the table is an unchanged one.
@@ -60,7 +60,7 @@ pub struct Table {
     /// Pockets, in the order of their numbers in results: bottom-left, bottom-right, left, right,
     /// top-left, top-right.
     pub pockets: Vec<Pocket>,
-    pub(crate) layout: DetectionIndex,
+    pub(crate) index: DetectionIndex,
 }
 
 /// Distance from the nose line to the centre of a ball on the cloth that touches the nose, m: √(R²
@@ -82,12 +82,12 @@ impl Table {
 
     /// The parts that a ball on the cloth can touch, the first ones of [`Table::cushions`].
     pub fn parts_on_cloth(&self) -> &[CushionPart] {
-        &self.cushions[..self.layout.on_cloth]
+        &self.cushions[..self.index.on_cloth]
     }
 
-    /// Unit vector from the centre of a ball at `position` (m, engine's frame) into the cushion
-    /// part that it touches, seen from above; zero for a rail's top. [`Table::contact_normal`]
-    /// gives the normal in space.
+    /// Unit vector from the centre of a ball at `position` (m, engine's coordinates) into the
+    /// cushion part that it touches, seen from above; zero for a rail's top.
+    /// [`Table::contact_normal`] gives the normal in space.
     pub fn normal_at(&self, part: usize, position: Vec2) -> Vec2 {
         match self.cushions[part].shape {
             Shape::Segment { normal, .. } => -normal,
@@ -217,8 +217,8 @@ pub enum Shape {
 
 impl Shape {
     /// A lower bound of the distance (m), in plan view, of the edge from the straight line between
-    /// `a` and `b`. Infinite for a rail's top, which has no edge of its own. A wall's is right for a
-    /// line that ends at the wall's centre.
+    /// `a` and `b`. Infinite for a rail's top, which has no edge of its own. A wall's is right for
+    /// a line that ends at the wall's centre.
     pub(crate) fn distance(&self, a: Vec2, b: Vec2) -> f64 {
         match *self {
             Self::Segment { start, end, .. } => {

@@ -47,10 +47,10 @@ impl Placement {
 
 impl Table {
     /// The placement of a ball of radius `radius` (m) on the cloth with its centre at `position`
-    /// (m, engine's frame).
+    /// (m, engine's coordinates).
     pub fn place_check(&self, position: Vec2, radius: f64) -> Placement {
         let reach = self.reach(radius);
-        let half = self.layout.half;
+        let half = self.index.half;
         let rubber = self.description.as_ref().map_or(0.0, |d| d.cushion_width);
         let within = |margin: f64| {
             position.x.abs() <= half.x + margin && position.y.abs() <= half.y + margin
@@ -80,7 +80,7 @@ impl Table {
     }
 
     /// How deep (m, negative if apart) a ball of radius `radius` (m) on the cloth at `position` (m,
-    /// engine's frame) is in each cushion part beside it, by index.
+    /// engine's coordinates) is in each cushion part beside it, by index.
     pub(crate) fn depths_on_cloth(
         &self,
         position: Vec2,
@@ -96,7 +96,7 @@ impl Table {
     /// by more than `overhang` (m), or in the rails beyond its gate.
     fn captured_at(&self, position: Vec2, reach: f64, overhang: f64, in_rails: bool) -> Option<u8> {
         let holds = |i: &usize| {
-            let (pocket, gate) = (&self.pockets[*i], &self.layout.mouths[*i].gate);
+            let (pocket, gate) = (&self.pockets[*i], &self.index.mouths[*i].gate);
             let from_center = position - pocket.center;
             let over_hole = matches!(pocket.capture, Capture::DropCircle)
                 && from_center.length() < pocket.radius - overhang;
@@ -108,8 +108,8 @@ impl Table {
     }
 
     /// The placement of a ball of radius `radius` (m) in the air with its centre at `position` (m,
-    /// engine's frame), at least `radius` above the slate. A ball over a hole is inside. A ball
-    /// beyond a mouth line is inside only if it is higher than the rails.
+    /// engine's coordinates), at least `radius` above the slate. A ball over a hole is inside. A
+    /// ball beyond a mouth line is inside only if it is higher than the rails.
     pub fn place_in_air(&self, position: Vec3, radius: f64) -> Placement {
         let (plan, rise) = (position.xy(), self.cushion_height - position.z);
         if self.is_outside(plan) {

@@ -6,14 +6,14 @@ use super::{PocketLayout, Table};
 use crate::math::Vec2;
 
 impl Table {
-    /// Centres of the sights, m, in the engine's frame: bottom and top rail from left to right,
-    /// then left and right rail upwards. Empty if the description has no sights. There is none at
-    /// the ends of a rail and at a pocket.
+    /// Centres of the sights, m, in the engine's coordinates: bottom and top rail from left to
+    /// right, then left and right rail upwards. Empty if the description has no sights. There is
+    /// none at the ends of a rail and at a pocket.
     pub fn sight_positions(&self) -> Vec<Vec2> {
         let mut positions = Vec::new();
         let Some(description) = &self.description else { return positions };
         let Some(sights) = description.sights else { return positions };
-        let half = self.layout.half;
+        let half = self.index.half;
         let along = |half: f64, intervals: u32, i: u32| {
             half * (2.0 * f64::from(i) / f64::from(intervals) - 1.0)
         };

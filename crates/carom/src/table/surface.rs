@@ -16,8 +16,8 @@ use crate::math::{Vec2, Vec3};
 pub(crate) const UNDER_EDGE: f64 = 1e-12;
 
 impl Table {
-    /// The pocket over whose hole the point `p` (m, engine's frame) lies; `None` with the mouth-line
-    /// model.
+    /// The pocket over whose hole the point `p` (m, engine's coordinates) lies; `None` with the
+    /// mouth-line model.
     pub fn hole_at(&self, p: Vec2) -> Option<u8> {
         let over = |i: &u8| {
             let pocket = &self.pockets[usize::from(*i)];
@@ -30,10 +30,10 @@ impl Table {
         self.nearest_pockets(p).into_iter().find(over)
     }
 
-    /// The pocket in whose opening the point `p` (m, engine's frame) lies: behind the nose lines,
-    /// between the jaws and in front of the liner.
+    /// The pocket in whose opening the point `p` (m, engine's coordinates) lies: behind the nose
+    /// lines, between the jaws and in front of the liner.
     pub fn opening_at(&self, p: Vec2) -> Option<u8> {
-        let openings = self.layout.openings.as_ref()?;
+        let openings = self.index.openings.as_ref()?;
         if !self.is_behind_nose_line(p) {
             return None;
         }
@@ -42,8 +42,8 @@ impl Table {
         corner.then_some(at_corner).or(side.then_some(at_side))
     }
 
-    /// The pocket beyond whose mouth line the point `p` (m, engine's frame) lies; `None` with the
-    /// drop-circle model. There is no table beyond a mouth line.
+    /// The pocket beyond whose mouth line the point `p` (m, engine's coordinates) lies; `None`
+    /// with the drop-circle model. There is no table beyond a mouth line.
     pub fn beyond_mouth_line(&self, p: Vec2) -> Option<u8> {
         if self.pockets.is_empty() {
             return None;
@@ -61,30 +61,30 @@ impl Table {
         here.filter(beyond)
     }
 
-    /// The rail's top (index into `Table::cushions`) under the point `p` (m, engine's frame):
+    /// The rail's top (index into `Table::cushions`) under the point `p` (m, engine's coordinates):
     /// behind an edge line, not in a pocket's opening, within the border.
     pub fn top_at(&self, p: Vec2) -> Option<u16> {
         let on_top =
             self.is_behind_nose_line(p) && !self.is_outside(p) && self.opening_at(p).is_none();
         on_top.then(|| {
-            let (x, y) = (p.x.abs() - self.layout.half.x, p.y.abs() - self.layout.half.y);
+            let (x, y) = (p.x.abs() - self.index.half.x, p.y.abs() - self.index.half.y);
             let place = if x >= y {
                 2 + 2 * usize::from(p.x > 0.0) + usize::from(p.y > 0.0)
             } else {
                 usize::from(p.y > 0.0)
             };
-            self.layout.tops[place]
+            self.index.tops[place]
         })
     }
 
-    /// Whether the point `p` (m, engine's frame) lies beyond the outer edge of the rails.
+    /// Whether the point `p` (m, engine's coordinates) lies beyond the outer edge of the rails.
     pub fn is_outside(&self, p: Vec2) -> bool {
-        p.x.abs() > self.layout.border.x || p.y.abs() > self.layout.border.y
+        p.x.abs() > self.index.border.x || p.y.abs() > self.index.border.y
     }
 
-    /// Unit vector from the centre `position` (m, engine's frame) of a ball of radius `radius` (m)
-    /// to the point of `feature` that it touches. Zero for features without a surface: a capture,
-    /// the border.
+    /// Unit vector from the centre `position` (m, engine's coordinates) of a ball of radius
+    /// `radius` (m) to the point of `feature` that it touches. Zero for features without a
+    /// surface: a capture, the border.
     pub fn contact_normal(&self, feature: TableFeature, position: Vec3, radius: f64) -> Vec3 {
         let down = Vec3::new(0.0, 0.0, -1.0);
         match feature {
@@ -107,7 +107,7 @@ impl Table {
             TableFeature::Pocket(_)
             | TableFeature::Depth(_)
             | TableFeature::Brink
-            | TableFeature::Edge => Vec3::ZERO,
+            | TableFeature::Border => Vec3::ZERO,
         }
     }
 
@@ -118,7 +118,7 @@ impl Table {
     }
 
     fn is_behind_nose_line(&self, p: Vec2) -> bool {
-        p.x.abs() > self.layout.half.x || p.y.abs() > self.layout.half.y
+        p.x.abs() > self.index.half.x || p.y.abs() > self.index.half.y
     }
 }
 

@@ -41,8 +41,8 @@ impl Trace {
         event.balls.iter().zip(states).map(change).collect()
     }
 
-    /// The points of contact in `event`, m, in the file's frame; empty if it is not an impact. In a
-    /// strike the tip's comes first. Of several balls every two that touch have one.
+    /// The points of contact in `event`, m, in the file's coordinates; empty if it is not an
+    /// impact. In a strike the tip's comes first. Of several balls every two that touch have one.
     pub fn contact_points(&self, event: &TraceEvent<'_>) -> Vec<Vec3> {
         match event.kind {
             TraceEventKind::CueStrike { .. } => {
@@ -93,14 +93,14 @@ fn points_of_balls(shot: &Shot, event: &TraceEvent<'_>, time: f64) -> Vec<Vec3> 
     points
 }
 
-/// The point of the event's one ball on the table, which `find` gives in the engine's frame.
+/// The point of the event's one ball on the table, which `find` gives in the engine's coordinates.
 fn on_table(
     shot: &Shot,
     event: &TraceEvent<'_>,
     find: impl Fn(&Table, &BallState, f64) -> Vec3,
 ) -> Vec3 {
     let PlacedBall { ball, .. } = &shot.balls[usize::from(event.balls[0])];
-    let state = shot.table.to_engine_frame(&event.before[0]);
+    let state = shot.table.to_engine_coordinates(&event.before[0]);
     let point = find(&shot.table, &state, ball.radius);
     point + shot.table.center().with_z(0.0)
 }
@@ -117,8 +117,8 @@ fn on_cushion(table: &Table, rail: Rail, part: Part, position: Vec3, radius: f64
     position + normal * radius
 }
 
-/// Distance of the centre `position` of a ball of `radius` (m) from a part of the cushions, m. A part
-/// that is further above the ball is a wall to it, and the distance is that in plan view.
+/// Distance of the centre `position` of a ball of `radius` (m) from a part of the cushions, m. A
+/// part that is further above the ball is a wall to it, and the distance is that in plan view.
 fn distance(table: &Table, shape: &Shape, position: Vec3, radius: f64) -> f64 {
     let (place, rise) = (position.xy(), table.cushion_height - position.z);
     let across = match *shape {
@@ -142,8 +142,8 @@ fn distance(table: &Table, shape: &Shape, position: Vec3, radius: f64) -> f64 {
     if rise > radius { across } else { Vec2::new(across, rise).length() }
 }
 
-/// The point of the slate that a ball touches with its centre at `position`: below it, or on the lip
-/// of the nearest hole.
+/// The point of the slate that a ball touches with its centre at `position`: below it, or on the
+/// lip of the nearest hole.
 fn on_slate(table: &Table, position: Vec3, radius: f64) -> Vec3 {
     if (position.z - radius).abs() <= TOUCH_TOLERANCE {
         return position.xy().with_z(0.0);

@@ -1,4 +1,4 @@
-//! A recorded shot: every event with the states before and after, in the file's frame.
+//! A recorded shot: every event with the states before and after, in the file's coordinates.
 
 mod difference;
 mod hash;
@@ -140,7 +140,7 @@ impl Trace {
         self.log.entries.iter().map(|e| self.log.get(e))
     }
 
-    /// The balls' states when the shot is over, in the file's frame.
+    /// The balls' states when the shot is over, in the file's coordinates.
     pub fn last(&self) -> &[BallState] {
         &self.last
     }
@@ -150,10 +150,10 @@ impl Trace {
         &self.outcome
     }
 
-    /// All balls' states at `time` (s), in the file's frame, exact to rounding: each is computed
-    /// from the closed-form path since the ball's last event. At the instant of an event it is the
-    /// state after the event. After the end it is the final state; but after an end at rest a ball
-    /// that no friction stops moves on.
+    /// All balls' states at `time` (s), in the file's coordinates, exact to rounding: each is
+    /// computed from the closed-form path since the ball's last event. At the instant of an event
+    /// it is the state after the event. After the end it is the final state; but after an end at
+    /// rest a ball that no friction stops moves on.
     ///
     /// # Errors
     /// [`Error::Input`] if `time` is negative or not finite.

@@ -6,7 +6,7 @@ use super::Trace;
 use crate::BallState;
 use crate::motion::Path;
 
-/// The motion of a ball from one of its events to the next, in the file's frame.
+/// The motion of a ball from one of its events to the next, in the file's coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
     /// Start of the motion, s since the strike.

@@ -9,7 +9,7 @@ use crate::motion::Path;
 /// A point of a ball's path.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Waypoint {
-    /// The ball's centre in the file's frame, m.
+    /// The ball's centre in the file's coordinates, m.
     pub position: Vec3,
     /// Time since the strike, s.
     pub time: f64,

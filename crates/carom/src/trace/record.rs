@@ -31,8 +31,8 @@ impl<'a> TraceRecorder<'a> {
         Self { shot, log }
     }
 
-    /// The trace, once `last` are the balls' final states in the engine's frame and `duration`
-    /// (s) is the time for which they hold.
+    /// The trace, once `last` are the balls' final states in the engine's coordinates and
+    /// `duration` (s) is the time for which they hold.
     pub fn finish(self, last: &[BallState], duration: f64) -> Trace {
         let end = TraceEnd::of(self.shot, last);
         self.finish_with(last, duration, end)
@@ -44,7 +44,7 @@ impl<'a> TraceRecorder<'a> {
     }
 
     fn finish_with(self, last: &[BallState], duration: f64, end: TraceEnd) -> Trace {
-        let to_file = |(i, s): (usize, &BallState)| self.shot.to_file_frame(i, s);
+        let to_file = |(i, s): (usize, &BallState)| self.shot.to_file_coordinates(i, s);
         let last = last.iter().enumerate().map(to_file).collect();
         let engine = String::from(ENGINE);
         Trace::assemble(self.shot.clone(), engine, duration, end, self.log, last)
@@ -73,8 +73,8 @@ impl Recorder for TraceRecorder<'_> {
         log.push(event.time, TraceEventKind::of(event.kind, &shot.table), event.balls);
         for (k, &ball) in event.balls.iter().enumerate() {
             let ball = usize::from(ball);
-            log.before.push(shot.to_file_frame(ball, &event.before[k]));
-            log.after.push(shot.to_file_frame(ball, &event.after[k]));
+            log.before.push(shot.to_file_coordinates(ball, &event.before[k]));
+            log.after.push(shot.to_file_coordinates(ball, &event.after[k]));
         }
     }
 }

@@ -58,7 +58,7 @@ fn the_listed_contact_has_the_friction_of_the_cling_and_no_other_has() {
     assert_eq!(plain[1].0, clung[1].0);
     assert_ne!(plain[1].1, clung[1].1);
     let found = clung[1].1[1].velocity;
-    // The positions of a trace are rounded to the file's frame.
+    // The positions of a trace are rounded to the file's coordinates.
     let off = atan2(found.y, found.x) - direction(&clung[1].0, 0.3);
     assert!(off.abs() < 1e-12, "{off}");
 }

@@ -9,7 +9,8 @@ use carom::{BallState, Error, MotionState, Shot, ShotFile, Trace};
 
 const NAMES: [&str; 4] = ["nine_ball_break", "masse", "jump_shot", "follow_shot"];
 
-/// Largest difference of a state that was computed in the engine's frame from that of the file's.
+/// Largest difference of a state that was computed in the engine's coordinates from that of the
+/// file's.
 const ROUNDING: f64 = 1e-12;
 
 /// Two balls on a rectangle; `physics` as in a shot file, `more` are further keys.

@@ -49,7 +49,7 @@ fn a_ball_frozen_to_a_rail_and_rolled_along_it_never_hits_it() {
     let (log, _) = play(&shot);
     assert!(log.rail_collisions().is_empty());
     let moved = log.last(&shot, 0).position.x
-        - shot.table().to_engine_frame(&shot.balls()[0].state).position.x;
+        - shot.table().to_engine_coordinates(&shot.balls()[0].state).position.x;
     assert_eq!(moved, 0.0);
 }
 
@@ -108,9 +108,9 @@ fn tight_rack(gap: f64, cue_ball: &str, strike: &str) -> Shot {
 }
 
 /// By nature: the head ball of an exact rack meets two balls at once, and resolving one after the
-/// other would favour one side; pooltool orders such ties by energy. Right: contacts of one instant
-/// that share a ball are resolved together, and the axis of symmetry is at 0 in the engine's frame,
-/// so that both halves have the same bits.
+/// other would favour one side; pooltool orders such ties by energy. Right: contacts of one
+/// instant that share a ball are resolved together, and the axis of symmetry is at 0 in the
+/// engine's coordinates, so that both halves have the same bits.
 #[test]
 fn a_mirror_symmetric_frozen_rack_stays_mirror_symmetric_to_the_bit() {
     for gap in [0.0, 1e-4] {

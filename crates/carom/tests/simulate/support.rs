@@ -41,13 +41,13 @@ impl LogRecorder {
     pub(crate) fn rail_collisions(&self) -> Vec<&RecordedEvent> {
         self.of(|k| matches!(k, EventKind::RailCollision(_)))
     }
-    /// The last state of ball `i`, or its state before the shot in the engine's frame.
+    /// The last state of ball `i`, or its state before the shot in the engine's coordinates.
     pub(crate) fn last(&self, shot: &Shot, i: usize) -> BallState {
         let found = self.events.iter().rev().find_map(|e| {
             let k = e.balls.iter().position(|&b| b == i)?;
             Some(e.after[k])
         });
-        found.unwrap_or_else(|| shot.table().to_engine_frame(&shot.balls()[i].state))
+        found.unwrap_or_else(|| shot.table().to_engine_coordinates(&shot.balls()[i].state))
     }
 }
 

@@ -92,8 +92,8 @@ fn in_a_many_ball_contact_the_cue_ball_touches_only_the_balls_next_to_it() {
     assert_eq!(elsewhere.first_contact, None);
 }
 
-/// The outcome of a level strike straight up the table at 2 m/s, with `balls` at these gaps (m) from
-/// the cue ball and angles (degrees) from its line.
+/// The outcome of a level strike straight up the table at 2 m/s, with `balls` at these gaps (m)
+/// from the cue ball and angles (degrees) from its line.
 fn struck(balls: &[(f64, f64)]) -> Outcome {
     let place = |(i, (gap, angle)): (usize, &(f64, f64))| {
         let apart = 2.0 * RADIUS + gap;
@@ -403,7 +403,7 @@ fn an_outcome_without_a_trace_is_that_of_the_trace() {
         let mut recorder = OutcomeRecorder::new(&shot);
         simulate(&shot, &mut recorder).unwrap_or_else(|e| panic!("{e:?}"));
         let last: Vec<BallState> =
-            trace.last().iter().map(|state| shot.table().to_engine_frame(state)).collect();
+            trace.last().iter().map(|state| shot.table().to_engine_coordinates(state)).collect();
         assert_eq!(&recorder.finish(&last), trace.outcome());
     }
 }

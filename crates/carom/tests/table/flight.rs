@@ -112,7 +112,7 @@ fn judge(
             }
             Ok(if beyond < (p.z - top).abs() { beyond } else { p.z - top })
         }
-        TableFeature::Edge => {
+        TableFeature::Border => {
             let rail = table.description.as_ref().unwrap().rail_width;
             let x = p.x.abs() - 0.5 * table.size.x - rail;
             let y = p.y.abs() - 0.5 * table.size.y - rail;
@@ -199,7 +199,7 @@ fn kind(table: &Table, feature: TableFeature) -> usize {
         TableFeature::Slate => 5,
         TableFeature::Lip(_) => 6,
         TableFeature::Depth(_) => 7,
-        TableFeature::Edge => 8,
+        TableFeature::Border => 8,
         _ => 9,
     }
 }

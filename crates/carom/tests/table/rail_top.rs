@@ -76,7 +76,7 @@ fn a_ball_leaves_a_rails_top_where_its_centre_first_crosses_an_edge_or_the_borde
                     assert!(gap <= EDGE_GAP, "{name}, path {i}: {gap:e} {path:?}");
                     met[0] += 1;
                 }
-                TableFeature::Edge => {
+                TableFeature::Border => {
                     let rail = table.description.as_ref().unwrap().rail_width;
                     let off = (x.abs() - 0.5 * table.size.x).max(y.abs() - 0.5 * table.size.y);
                     assert!((off - rail).abs() <= EDGE_GAP, "{name}, path {i}: {path:?}");
@@ -126,5 +126,5 @@ fn a_ball_at_the_brink_that_rolls_off_leaves_at_once_and_one_that_rolls_away_doe
     assert!(feature == TableFeature::Brink && (t - 0.1).abs() <= 1e-14, "{feature:?} {t}");
     let rail = table.description.as_ref().unwrap().rail_width;
     let (t, feature) = leaving(edge - rail + 0.01, -0.1).unwrap();
-    assert!(feature == TableFeature::Edge && (t - 0.1).abs() <= 1e-14, "{feature:?} {t}");
+    assert!(feature == TableFeature::Border && (t - 0.1).abs() <= 1e-14, "{feature:?} {t}");
 }

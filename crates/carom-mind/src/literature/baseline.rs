@@ -45,7 +45,7 @@ const BREAK_HEIGHT: f64 = 0.1;
 const HOPELESS_SPEED: f64 = 2.0;
 
 /// A request for a shot, prepared.
-pub struct Desk<'a> {
+pub struct Baseline<'a> {
     pub(crate) situation: &'a Situation<'a>,
     pub(crate) budget: &'a Budget<'a>,
     pub(crate) turn: &'a Turn,
@@ -55,7 +55,7 @@ pub struct Desk<'a> {
     pub(crate) prepared: Vec<Prepared<'a>>,
 }
 
-impl<'a> Desk<'a> {
+impl<'a> Baseline<'a> {
     pub(crate) fn new(
         situation: &'a Situation<'a>,
         budget: &'a Budget<'a>,
@@ -121,22 +121,22 @@ impl<'a> Desk<'a> {
 }
 
 /// The usual break: a full and hard hit of the nearest ball from the first place.
-pub(crate) fn usual_break(desk: &Desk<'_>) -> Option<Play> {
-    let prepared = desk.prepared.first()?;
-    let toward = toward_nearest(desk, prepared, BREAK_SPEED, BREAK_HEIGHT)?;
+pub(crate) fn usual_break(baseline: &Baseline<'_>) -> Option<Play> {
+    let prepared = baseline.prepared.first()?;
+    let toward = toward_nearest(baseline, prepared, BREAK_SPEED, BREAK_HEIGHT)?;
     prepared.shot().resolve_strike(&toward.strike).is_ok().then_some(toward)
 }
 
 /// A full hit of the nearest ball that may be hit; `speed` in m/s, `height` in ball radii.
 fn toward_nearest(
-    desk: &Desk<'_>,
+    baseline: &Baseline<'_>,
     prepared: &Prepared<'_>,
     speed: f64,
     height: f64,
 ) -> Option<Play> {
     let scene = Scene::of(prepared);
-    let cue = scene.ball(desk.turn.cue)?;
-    let sight = desk.sight();
+    let cue = scene.ball(baseline.turn.cue)?;
+    let sight = baseline.sight();
     let balls = sight.targets.first.iter().filter_map(|ball| scene.ball(*ball));
     let gap = |center: Vec2| (center - cue.center).length_squared();
     let head = balls.min_by(|a, b| gap(a.center).total_cmp(&gap(b.center)))?;
@@ -144,31 +144,34 @@ fn toward_nearest(
     let azimuth = atan2(way.y, way.x);
     let strike = Strike { speed, azimuth, elevation: 0.0, side: 0.0, height };
     let strike = raised(prepared, strike);
-    let call = call_of(desk.turn, head.index, None);
+    let call = call_of(baseline.turn, head.index, None);
     Some(Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) })
 }
 
 /// The safety that leaves the other player least, and its value for the player, 0 to 1; none if no
 /// legal shot was found.
-pub(crate) fn safety(desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<(Play, f64)>, Error> {
-    let share = (SAFETY_SHARE * desk.budget.simulations as f64) as u64;
+pub(crate) fn safety(
+    baseline: &Baseline<'_>,
+    spent: &mut Spent,
+) -> Result<Option<(Play, f64)>, Error> {
+    let share = (SAFETY_SHARE * baseline.budget.simulations as f64) as u64;
     let most = share.clamp(SAFETY_PLAYS[0], SAFETY_PLAYS[1]);
-    let mut explorer = Explorer::new(desk.task());
-    explorer.safeties(desk.first_place(), most)?;
+    let mut explorer = Explorer::new(baseline.task());
+    explorer.safeties(baseline.first_place(), most)?;
     spent.simulations += explorer.bench.plays;
     let mut found: Vec<Candidate> = explorer.found;
     found.sort_by(|a, b| b.prior.total_cmp(&a.prior));
     found.truncate(SAFETIES_SAMPLED);
-    let errors = desk.errors();
-    let rated = desk.budget.runner.map(
+    let errors = baseline.errors();
+    let rated = baseline.budget.runner.map(
         found.iter(),
-        || Workbench::new(desk.situation.frame),
+        || Workbench::new(baseline.situation.frame),
         |bench, candidate| {
             let mut sum = 0.0;
-            let (prepared, samples) = (&desk.prepared[0], 0..SAFETY_SAMPLES);
+            let (prepared, samples) = (&baseline.prepared[0], 0..SAFETY_SAMPLES);
             bench.sample(prepared, &candidate.play, &errors, samples, |next, _| {
-                let position = Position { frame: next, noise: &desk.situation.noise };
-                sum += desk.value.win_chance(&position, desk.seat());
+                let position = Position { frame: next, noise: &baseline.situation.noise };
+                sum += baseline.value.win_chance(&position, baseline.seat());
             })?;
             Ok((candidate.play, sum / SAFETY_SAMPLES as f64))
         },
@@ -179,10 +182,10 @@ pub(crate) fn safety(desk: &Desk<'_>, spent: &mut Spent) -> Result<Option<(Play,
 }
 
 /// A legal shot in any direction; if there is none, a full hit of the nearest ball.
-pub(crate) fn anything(desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
-    let prepared = &desk.prepared[0];
-    let mut explorer = Explorer::new(desk.task());
-    explorer.anything(desk.first_place(), ANYTHING_PLAYS)?;
+pub(crate) fn anything(baseline: &Baseline<'_>, spent: &mut Spent) -> Result<Play, Error> {
+    let prepared = &baseline.prepared[0];
+    let mut explorer = Explorer::new(baseline.task());
+    explorer.anything(baseline.first_place(), ANYTHING_PLAYS)?;
     spent.simulations += explorer.bench.plays;
     if let Some(best) = first_best(explorer.found, |candidate| candidate.prior) {
         return Ok(best.play);
@@ -190,23 +193,23 @@ pub(crate) fn anything(desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error
     let hopeless = || {
         let strike =
             Strike { speed: HOPELESS_SPEED, azimuth: 0.0, elevation: 0.0, side: 0.0, height: 0.0 };
-        let first = desk.turn.on.first().copied().unwrap_or(desk.turn.cue);
-        let call = call_of(desk.turn, first, None);
+        let first = baseline.turn.on.first().copied().unwrap_or(baseline.turn.cue);
+        let call = call_of(baseline.turn, first, None);
         let strike = raised(prepared, strike);
         Play { cue_ball: prepared.cue_ball(), call, ..Play::new(strike) }
     };
-    Ok(toward_nearest(desk, prepared, HOPELESS_SPEED, 0.0).unwrap_or_else(hopeless))
+    Ok(toward_nearest(baseline, prepared, HOPELESS_SPEED, 0.0).unwrap_or_else(hopeless))
 }
 
 /// The most promising carom.
-pub(crate) fn carom(desk: &Desk<'_>, spent: &mut Spent) -> Result<Play, Error> {
-    let most = desk.budget.simulations.max(LEAST_CAROM_PLAYS);
-    let mut explorer = Explorer::new(desk.task());
-    explorer.caroms(desk.first_place(), most)?;
+pub(crate) fn carom(baseline: &Baseline<'_>, spent: &mut Spent) -> Result<Play, Error> {
+    let most = baseline.budget.simulations.max(LEAST_CAROM_PLAYS);
+    let mut explorer = Explorer::new(baseline.task());
+    explorer.caroms(baseline.first_place(), most)?;
     spent.simulations += explorer.bench.plays;
     match first_best(explorer.found, |candidate| candidate.prior) {
         Some(best) => Ok(best.play),
-        None => anything(desk, spent),
+        None => anything(baseline, spent),
     }
 }
 

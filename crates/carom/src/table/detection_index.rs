@@ -26,8 +26,8 @@ pub(crate) struct DetectionIndex {
     pub(crate) noses: [u16; 6],
     /// The mouths, in the order of the pockets.
     pub(crate) mouths: Vec<Mouth>,
-    /// While the centre of a ball is at least its reach away from the edges of the playing area, the
-    /// ball can touch only noses, if its reach is at least this, m.
+    /// While the centre of a ball is at least its reach away from the edges of the playing area,
+    /// the ball can touch only noses, if its reach is at least this, m.
     pub(crate) clear_reach: f64,
     /// Half the table, to the outer edge of its rails, m.
     pub(crate) border: Vec2,
@@ -145,7 +145,7 @@ mod tests {
         let mut wide = 0;
         for name in PRESETS {
             let table = Table::preset(name).expect("a preset");
-            for (pocket, mouth) in table.pockets.iter().zip(&table.layout.mouths) {
+            for (pocket, mouth) in table.pockets.iter().zip(&table.index.mouths) {
                 wide += usize::from(mouth.aisle > 0.0286);
                 let edges = table.cushions.iter().filter(|c| c.part != Part::Top);
                 for point in edges.flat_map(|c| points(&c.shape)) {
