@@ -18,13 +18,11 @@ Graph = dict[str, set[str]]
 def is_parent(a: str, b: str) -> bool:
     """Whether file ``a`` is the parent of a module that file ``b`` is a part of.
 
-    Parents are ``mod.rs``, ``lib.rs``, ``__init__.py`` and ``index.ts`` of a folder, and ``x.rs``
-    next to the folder ``x``.
+    Parents are ``mod.rs``, ``lib.rs``, ``__init__.py`` and ``index.ts`` of a folder.
     """
     path = PurePosixPath(a)
     names_folder = path.name in {"mod.rs", "lib.rs", "__init__.py", "index.ts"}
-    folder = path.parent if names_folder else path.with_suffix("")
-    return a != b and folder in PurePosixPath(b).parents
+    return names_folder and a != b and path.parent in PurePosixPath(b).parents
 
 
 def without_reexports(graph: Graph) -> Graph:
@@ -33,7 +31,7 @@ def without_reexports(graph: Graph) -> Graph:
 
 
 def top_level(graph: Graph) -> Graph:
-    """The graph of the files and folders at the top; ``x.rs`` and ``x/`` are one module."""
+    """The graph of the files and folders at the top; a file and a folder are one module each."""
     result: Graph = {}
     for a, targets in graph.items():
         if is_root_file(a):

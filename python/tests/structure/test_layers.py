@@ -77,6 +77,13 @@ def test_a_type_that_implements_recorder_has_a_name_that_ends_in_recorder():
     assert {name for name in names if not name.endswith("Recorder")} == set()
 
 
+def test_a_rust_module_with_parts_has_its_first_page_in_their_folder():
+    files = [file for file in (ROOT / "crates").rglob("*.rs") if "target" not in file.parts]
+    assert len(files) > 100
+    beside = [file for file in files if file.with_suffix("").is_dir()]
+    assert [file.relative_to(ROOT).as_posix() for file in beside] == [], "name it x/mod.rs"
+
+
 # Tests of imports.py.
 
 
@@ -144,8 +151,8 @@ def test_a_cycle_in_typescript_is_found(tmp_path):
 
 def test_a_parent_may_reexport_names_of_its_parts():
     graph = {
-        "simulate.rs": {"simulate/row.rs"},
-        "simulate/row.rs": {"simulate.rs"},
+        "simulate/mod.rs": {"simulate/row.rs"},
+        "simulate/row.rs": {"simulate/mod.rs"},
         "a/__init__.py": {"a/b.py"},
         "a/b.py": {"a/__init__.py"},
     }

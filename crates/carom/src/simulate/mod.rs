@@ -7,7 +7,7 @@
 //! **Order of events at one instant**: motion transitions; then the slate, its holes and the
 //! table's edge; then cushions; then ball–ball contacts. Within one of these groups the ball that
 //! comes first in the shot goes first. Balls that touch when one of them is hit are resolved
-//! together (`resolve/network.rs`).
+//! together (`resolve/network/mod.rs`).
 
 mod ball_set;
 mod candidates;
