@@ -3,11 +3,11 @@
 use std::cell::RefCell;
 
 use carom::Shot;
-use carom::detect::ball_ball::ContactFinder;
 use carom::event::NullRecorder;
 use carom::limits::SMALL_CAPACITY;
 use carom::resolve::cue_ball::Strike;
 use carom::simulate::Simulation;
+use carom::simulate::peer::PeerFinder;
 use carom_roots::Motion;
 
 use crate::families::{BALL_DIAMETER, Case};
@@ -18,15 +18,10 @@ thread_local! {
 }
 
 /// The engine's finder. It stores the input of every call.
-#[derive(Clone, Copy, Debug)]
-struct HarvestingFinder;
-
-impl ContactFinder for HarvestingFinder {
-    fn first_contact(motion: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
-        let case = Case { motion: *motion, distance, horizon, metre: 1.0 };
-        HARVEST.with_borrow_mut(|harvest| harvest.push(case));
-        carom_roots::first_contact(motion, distance, horizon)
-    }
+fn harvesting_finder(motion: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
+    let case = Case { motion: *motion, distance, horizon, metre: 1.0 };
+    HARVEST.with_borrow_mut(|harvest| harvest.push(case));
+    carom_roots::first_contact(motion, distance, horizon)
 }
 
 /// `count` pairs from eight-ball breaks.
@@ -64,12 +59,15 @@ pub fn pot_pairs(seed: u64, count: usize) -> Vec<Case> {
 /// Simulates the shots of `next` until the finder was called `count` times.
 fn harvest(count: usize, mut next: impl FnMut() -> (Shot, Strike)) -> Vec<Case> {
     HARVEST.with_borrow_mut(Vec::clear);
-    let mut simulation = Simulation::<SMALL_CAPACITY, HarvestingFinder>::new();
-    while HARVEST.with_borrow(Vec::len) < count {
-        let (shot, strike) = next();
-        // Shots that are refused or stopped count too.
-        let _ = simulation.play_strike(&shot, Some((0, strike)), &mut NullRecorder);
-    }
+    let mut simulation = Simulation::<SMALL_CAPACITY>::new();
+    let finder = PeerFinder { first_contact: harvesting_finder, has_proofs: true };
+    finder.run(|| {
+        while HARVEST.with_borrow(Vec::len) < count {
+            let (shot, strike) = next();
+            // Shots that are refused or stopped count too.
+            let _ = simulation.play_strike(&shot, Some((0, strike)), &mut NullRecorder);
+        }
+    });
     let mut pairs = HARVEST.with_borrow_mut(std::mem::take);
     pairs.truncate(count);
     pairs

@@ -7,12 +7,12 @@
 
 use std::cell::Cell;
 
-use carom::detect::ball_ball::ContactFinder;
 use carom::detect::ball_table::keeps_clear;
 use carom::event::{Event, EventKind, NullRecorder, Recorder};
 use carom::limits::SMALL_CAPACITY;
 use carom::motion::Path;
-use carom::simulate::{Simulation, SimulationError};
+use carom::simulate::peer::PeerFinder;
+use carom::simulate::{Simulation, SimulationError, Summary};
 use carom::{MotionState, Shot};
 use carom_roots::Motion;
 
@@ -23,18 +23,23 @@ thread_local! {
     static CALLS: Cell<u64> = const { Cell::new(0) };
 }
 
-/// The engine's finder, with a count of its calls; with or without the proofs of no contact.
-#[derive(Clone, Copy, Debug)]
-struct CountingFinder<const PROOFS: bool>;
+/// The engine's finder, with a count of its calls.
+fn counting_finder(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
+    // A NaN horizon marks a lane without a pair: one of its balls is in a pocket.
+    CALLS.set(CALLS.get() + u64::from(!horizon.is_nan()));
+    carom_roots::first_contact(path, distance, horizon)
+}
 
-impl<const PROOFS: bool> ContactFinder for CountingFinder<PROOFS> {
-    const PROOFS: bool = PROOFS;
-
-    fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
-        // A NaN horizon marks a lane without a pair: one of its balls is in a pocket.
-        CALLS.set(CALLS.get() + u64::from(!horizon.is_nan()));
-        carom_roots::first_contact(path, distance, horizon)
-    }
+/// Plays `shot` and counts the finder's calls, with or without the proofs of no contact.
+fn count_calls<R: Recorder>(
+    shot: &Shot,
+    has_proofs: bool,
+    recorder: &mut R,
+) -> Result<(Summary, u64), SimulationError> {
+    CALLS.set(0);
+    let finder = PeerFinder { first_contact: counting_finder, has_proofs };
+    let summary = finder.run(|| Simulation::<SMALL_CAPACITY>::new().play(shot, recorder))?;
+    Ok((summary, CALLS.get()))
 }
 
 /// The kinds of events that [`Operations::by_kind`] counts, in its order.
@@ -100,14 +105,11 @@ impl Operations {
     /// If the shot cannot be simulated.
     pub fn of(shot: &Shot) -> Result<Self, SimulationError> {
         let mut recorder = OperationsRecorder::new(shot);
-        CALLS.set(0);
-        Simulation::<SMALL_CAPACITY, CountingFinder<false>>::new().play(shot, &mut recorder)?;
-        let looked_at = CALLS.replace(0);
-        let summary = Simulation::<SMALL_CAPACITY, CountingFinder<true>>::new()
-            .play(shot, &mut NullRecorder)?;
+        let (_, looked_at) = count_calls(shot, false, &mut recorder)?;
+        let (summary, solved) = count_calls(shot, true, &mut NullRecorder)?;
         let counts = recorder.counts;
         assert_eq!(counts.events, u64::from(summary.events), "a proof changed the shot");
-        Ok(Self { looked_at, solved: CALLS.get(), duration: summary.duration, ..counts })
+        Ok(Self { looked_at, solved, duration: summary.duration, ..counts })
     }
 
     /// The sum of two counts.

@@ -6,18 +6,16 @@
 //! the times of [`Contestant::seconds_per_shot`] compare the engine with proofs to the others
 //! without.
 
-use core::cell::Cell;
 use core::f64::consts::{FRAC_PI_2, TAU};
-use core::marker::PhantomData;
 use core::ops::Range;
 use std::time::Instant;
 
 use carom::Shot;
-use carom::detect::ball_ball::{ContactFinder, FirstContact};
 use carom::event::{Event, NullRecorder, Recorder};
 use carom::limits::SMALL_CAPACITY;
 use carom::rack::{Game, USUAL_GAP, rack};
 use carom::resolve::cue_ball::Strike;
+use carom::simulate::peer::PeerFinder;
 use carom::simulate::{Simulation, SimulationError, Summary};
 use carom_check::random_shots::{self, ShotFamily};
 use carom_check::{CheckRecorder, FaultKind, Tolerances};
@@ -41,95 +39,32 @@ pub const TOLERANCES: [(&str, Tolerances); 3] = [
     ("millimetre", Tolerances { depth: 1e-3, gap: 1e-3 }),
 ];
 
-/// A way to solve quartics.
-pub trait QuarticSolver {
-    /// The real roots of a quartic with c₄ ≠ 0.
-    fn real_roots(quartic: &Quartic) -> Roots;
-}
-
-macro_rules! solver {
-    ($name:ident, $module:ident) => {
-        #[doc = concat!("[`crate::", stringify!($module), "`].")]
-        #[derive(Clone, Copy, Debug)]
-        pub struct $name;
-        impl QuarticSolver for $name {
-            fn real_roots(quartic: &Quartic) -> Roots {
-                $module::real_roots(quartic)
-            }
-        }
-    };
-}
-solver!(Ferrari, ferrari);
-solver!(Companion, companion);
-solver!(Algorithm1010, algorithm_1010);
-
-/// The paper's rule: "the smallest positive real root".
-#[derive(Clone, Copy, Debug)]
-pub struct Smallest<S>(PhantomData<S>);
-
-impl<S: QuarticSolver> ContactFinder for Smallest<S> {
-    const PROOFS: bool = false;
-
-    fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
-        let roots = real_roots(&Quartic::of_gap(path, distance), S::real_roots);
-        let within = |t: &f64| *t > 0.0 && *t <= horizon;
-        roots.as_slice().iter().copied().filter(within).min_by(f64::total_cmp)
-    }
-}
-
-/// The smallest positive real root at which the balls approach, so that two balls that have just
-/// collided do not collide again.
-#[derive(Clone, Copy, Debug)]
-pub struct Approaching<S>(PhantomData<S>);
-
-impl<S: QuarticSolver> ContactFinder for Approaching<S> {
-    const PROOFS: bool = false;
-
-    fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
-        let quartic = Quartic::of_gap(path, distance);
-        let roots = real_roots(&quartic, S::real_roots);
-        let within = |t: &f64| *t > 0.0 && *t <= horizon && quartic.rate(*t) < 0.0;
-        roots.as_slice().iter().copied().filter(within).min_by(f64::total_cmp)
-    }
-}
-
-/// As [`Approaching`], and balls that touch and approach at the start collide at once.
-#[derive(Clone, Copy, Debug)]
-pub struct FromTheStart<S>(PhantomData<S>);
-
-impl<S: QuarticSolver> ContactFinder for FromTheStart<S> {
-    const PROOFS: bool = false;
-
-    fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
-        smallest_approaching_root(path, distance, horizon, S::real_roots)
-    }
-}
-
-/// [`ContactFinder::first_contact`].
+/// A finder of the first contact: path, distance (m) and horizon (s).
 type FindContact = fn(&Motion<2>, f64, f64) -> Option<f64>;
 
-thread_local! {
-    static CHOSEN: Cell<FindContact> = const { Cell::new(FirstContact::first_contact) };
+/// The paper's rule: "the smallest positive real root".
+fn smallest_root(
+    path: &Motion<2>,
+    distance: f64,
+    horizon: f64,
+    solve: fn(&Quartic) -> Roots,
+) -> Option<f64> {
+    let roots = real_roots(&Quartic::of_gap(path, distance), solve);
+    let within = |t: &f64| *t > 0.0 && *t <= horizon;
+    roots.as_slice().iter().copied().filter(within).min_by(f64::total_cmp)
 }
 
-/// The finder chosen by [`chosen`] on this thread, without proofs. All other finders share one
-/// compiled event loop by it; an event loop for each takes minutes to compile. The call through the
-/// pointer costs some nanoseconds per pair, a hundredth of what these finders take.
-#[derive(Clone, Copy, Debug)]
-struct ChosenFinder;
-
-impl ContactFinder for ChosenFinder {
-    const PROOFS: bool = false;
-
-    fn first_contact(path: &Motion<2>, distance: f64, horizon: f64) -> Option<f64> {
-        CHOSEN.get()(path, distance, horizon)
-    }
-}
-
-/// `job` with finder `F` as the [`ChosenFinder`].
-fn chosen<F: ContactFinder, T>(job: impl FnOnce() -> T) -> T {
-    CHOSEN.set(F::first_contact);
-    job()
+/// The smallest positive real root at which the balls approach.
+fn approaching_root(
+    path: &Motion<2>,
+    distance: f64,
+    horizon: f64,
+    solve: fn(&Quartic) -> Roots,
+) -> Option<f64> {
+    let quartic = Quartic::of_gap(path, distance);
+    let roots = real_roots(&quartic, solve);
+    let within = |t: &f64| *t > 0.0 && *t <= horizon && quartic.rate(*t) < 0.0;
+    roots.as_slice().iter().copied().filter(within).min_by(f64::total_cmp)
 }
 
 /// A shot, and its strike if the file does not hold it.
@@ -138,11 +73,12 @@ pub type PlayableShot = (Shot, Option<Strike>);
 /// The rule that selects the contact among the roots of a quartic.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RootRule {
-    /// [`Smallest`].
+    /// The paper's: "the smallest positive real root".
     Smallest,
-    /// [`Approaching`].
+    /// The smallest positive real root at which the balls approach, so that two balls that have just
+    /// collided do not collide again.
     Approaching,
-    /// [`FromTheStart`].
+    /// As [`RootRule::Approaching`], and balls that touch and approach at the start collide at once.
     FromTheStart,
     /// The definition of carom-roots, which includes touching balls that friction turns back.
     FirstContact,
@@ -195,52 +131,64 @@ pub struct Contestant {
     pub method: &'static str,
     /// The rule that selects the contact among their roots.
     pub rule: RootRule,
-    check: fn(ShotSource, u64) -> FirstFaults,
-    seconds: fn(&[PlayableShot]) -> f64,
+    /// The finder in the event loop; `None` for the engine's own.
+    peer: Option<PeerFinder>,
 }
 
 impl Contestant {
-    const fn new<F: ContactFinder>(method: &'static str, rule: RootRule) -> Self {
-        Self {
-            method,
-            rule,
-            check: |source, index| chosen::<F, _>(|| first_faults::<ChosenFinder>(source, index)),
-            seconds: |shots| chosen::<F, _>(|| seconds::<ChosenFinder>(shots)),
-        }
+    const fn new(method: &'static str, rule: RootRule, first_contact: FindContact) -> Self {
+        Self { method, rule, peer: Some(PeerFinder { first_contact, has_proofs: false }) }
     }
 
-    /// The engine's own finder with its proofs.
-    const ENGINE: Self = Self {
-        method: "carom",
-        rule: RootRule::FirstContact,
-        check: first_faults::<FirstContact>,
-        seconds: seconds::<FirstContact>,
-    };
-
     /// All of them, the engine's own last.
-    pub const ALL: [Self; 10] = [
-        Self::new::<Smallest<Ferrari>>(FERRARI, RootRule::Smallest),
-        Self::new::<Smallest<Companion>>(COMPANION, RootRule::Smallest),
-        Self::new::<Smallest<Algorithm1010>>(ALGORITHM_1010, RootRule::Smallest),
-        Self::new::<Approaching<Ferrari>>(FERRARI, RootRule::Approaching),
-        Self::new::<Approaching<Companion>>(COMPANION, RootRule::Approaching),
-        Self::new::<Approaching<Algorithm1010>>(ALGORITHM_1010, RootRule::Approaching),
-        Self::new::<FromTheStart<Ferrari>>(FERRARI, RootRule::FromTheStart),
-        Self::new::<FromTheStart<Companion>>(COMPANION, RootRule::FromTheStart),
-        Self::new::<FromTheStart<Algorithm1010>>(ALGORITHM_1010, RootRule::FromTheStart),
-        Self::ENGINE,
-    ];
+    pub const ALL: [Self; 10] = {
+        use RootRule::{Approaching, FirstContact, FromTheStart, Smallest};
+        [
+            Self::new(FERRARI, Smallest, |p, d, h| smallest_root(p, d, h, ferrari::real_roots)),
+            Self::new(COMPANION, Smallest, |p, d, h| smallest_root(p, d, h, companion::real_roots)),
+            Self::new(ALGORITHM_1010, Smallest, |p, d, h| {
+                smallest_root(p, d, h, algorithm_1010::real_roots)
+            }),
+            Self::new(FERRARI, Approaching, |p, d, h| {
+                approaching_root(p, d, h, ferrari::real_roots)
+            }),
+            Self::new(COMPANION, Approaching, |p, d, h| {
+                approaching_root(p, d, h, companion::real_roots)
+            }),
+            Self::new(ALGORITHM_1010, Approaching, |p, d, h| {
+                approaching_root(p, d, h, algorithm_1010::real_roots)
+            }),
+            Self::new(FERRARI, FromTheStart, |p, d, h| {
+                smallest_approaching_root(p, d, h, ferrari::real_roots)
+            }),
+            Self::new(COMPANION, FromTheStart, |p, d, h| {
+                smallest_approaching_root(p, d, h, companion::real_roots)
+            }),
+            Self::new(ALGORITHM_1010, FromTheStart, |p, d, h| {
+                smallest_approaching_root(p, d, h, algorithm_1010::real_roots)
+            }),
+            Self { method: "carom", rule: FirstContact, peer: None },
+        ]
+    };
 
     /// Whether the engine's proofs of no contact are on: for the engine's own finder only.
     pub fn has_proofs(&self) -> bool {
-        self.rule == RootRule::FirstContact
+        self.peer.is_none_or(|peer| peer.has_proofs)
+    }
+
+    /// Runs `job` with this finder in the event loop.
+    fn run<T>(&self, job: impl FnOnce() -> T) -> T {
+        match self.peer {
+            Some(peer) => peer.run(job),
+            None => job(),
+        }
     }
 
     /// Checks the shots of a source with the numbers in `shots`, on all cores.
     pub fn check(&self, source: ShotSource, shots: Range<u64>) -> FaultCounts {
         shots
             .into_par_iter()
-            .map(|index| FaultCounts::of(&(self.check)(source, index)))
+            .map(|index| FaultCounts::of(&self.run(|| first_faults(source, index))))
             .reduce(FaultCounts::default, FaultCounts::with)
     }
 
@@ -249,7 +197,7 @@ impl Contestant {
     /// others without.
     pub fn seconds_per_shot(&self, source: ShotSource, shots: u64) -> f64 {
         let shots: Vec<_> = (0..shots).map(|index| source.shot(index)).collect();
-        (0..PASSES).map(|_| (self.seconds)(&shots)).fold(f64::INFINITY, f64::min)
+        (0..PASSES).map(|_| self.run(|| seconds(&shots))).fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -263,9 +211,9 @@ const PASSES: u32 = 5;
 /// The first fault of one shot at each of [`TOLERANCES`], if there is one.
 type FirstFaults = [Option<FaultKind>; TOLERANCES.len()];
 
-fn first_faults<F: ContactFinder>(source: ShotSource, index: u64) -> FirstFaults {
+fn first_faults(source: ShotSource, index: u64) -> FirstFaults {
     let (shot, strike) = source.shot(index);
-    let mut simulation = Simulation::<SMALL_CAPACITY, F>::new();
+    let mut simulation = Simulation::<SMALL_CAPACITY>::new();
     let mut judged = [None; TOLERANCES.len()];
     for (fault, (_, tolerances)) in judged.iter_mut().zip(TOLERANCES) {
         let mut recorder = FirstFaultRecorder(CheckRecorder::with_tolerances(&shot, tolerances));
@@ -300,8 +248,8 @@ impl Recorder for FirstFaultRecorder<'_> {
     }
 }
 
-fn play<F: ContactFinder, R: Recorder>(
-    simulation: &mut Simulation<SMALL_CAPACITY, F>,
+fn play<R: Recorder>(
+    simulation: &mut Simulation<SMALL_CAPACITY>,
     shot: &Shot,
     strike: Option<Strike>,
     recorder: &mut R,
@@ -312,8 +260,8 @@ fn play<F: ContactFinder, R: Recorder>(
     }
 }
 
-fn seconds<F: ContactFinder>(shots: &[PlayableShot]) -> f64 {
-    let mut simulation = Simulation::<SMALL_CAPACITY, F>::new();
+fn seconds(shots: &[PlayableShot]) -> f64 {
+    let mut simulation = Simulation::<SMALL_CAPACITY>::new();
     let start = Instant::now();
     for (shot, strike) in shots {
         // Shots stopped at the limit of events count with their time.

@@ -50,6 +50,13 @@ def test_a_crate_depends_only_on_its_permitted_crates():
     assert {name: used[name] - CRATES[name] for name in used if used[name] - CRATES[name]} == {}
 
 
+def test_only_carom_peers_compiles_the_hook_for_its_root_finders_into_the_engine():
+    asks = re.compile(r'"(carom/)?peers"')
+    manifests = ROOT.glob("crates/*/Cargo.toml")
+    asking = [path for path in manifests if asks.search(path.read_text(encoding="utf-8"))]
+    assert [path.parent.name for path in asking] == ["carom-peers"]
+
+
 def test_no_two_crates_have_public_types_of_one_name():
     declared = defaultdict(list)
     declaration = re.compile(

@@ -5,7 +5,6 @@ use carom_roots::Motion;
 use super::ball_set::BallSet;
 use super::row::PossiblePartners;
 use super::{Simulation, earlier};
-use crate::detect::ball_ball::ContactFinder;
 use crate::detect::ball_table;
 use crate::detect::{flight, rail_top};
 use crate::motion::Path;
@@ -15,7 +14,7 @@ use crate::{MotionState, Table};
 /// The partner of a ball without a contact.
 const NO_PARTNER: u16 = u16::MAX;
 
-impl<const N: usize, F: ContactFinder> Simulation<N, F> {
+impl<const N: usize> Simulation<N> {
     /// Finds every ball's candidates at time 0.
     pub(super) fn find_all_candidates(&mut self, table: &Table) {
         for i in 0..self.n {
@@ -90,7 +89,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
     /// The time until which the path of ball `i` is valid: see
     /// [`Lanes::valid_until`](super::Lanes).
     #[inline(always)]
-    fn valid_until(&self, i: usize) -> f64 {
+    pub(super) fn valid_until(&self, i: usize) -> f64 {
         let path = &self.path[i];
         if path.moves() {
             earlier(self.transition[i], self.feature_time[i])
@@ -107,12 +106,25 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
         if !self.path[i].motion.in_play() {
             return;
         }
-        let mut possible = PossiblePartners::NONE;
-        if F::PROOFS {
-            possible.search(&self.lanes, i, self.valid_until(i), self.n, time, self.wide);
-        } else {
-            possible.take_all(&self.lanes, self.n);
+        #[cfg(feature = "peers")]
+        if let Some(peer) = super::peer::PeerFinder::chosen() {
+            self.find_contacts_by(peer, i, time);
+            return;
         }
+        let mut possible = PossiblePartners::NONE;
+        possible.search(&self.lanes, i, self.valid_until(i), self.n, time, self.wide);
+        self.add_contacts(i, &possible, time, carom_roots::first_contact);
+    }
+
+    /// Stores the contacts of ball `i` with the balls of `possible`, then makes it visible itself.
+    #[inline(always)]
+    pub(super) fn add_contacts(
+        &mut self,
+        i: usize,
+        possible: &PossiblePartners<N>,
+        time: f64,
+        first_contact: impl Fn(&Motion<2>, f64, f64) -> Option<f64>,
+    ) {
         self.make_visible(i);
         for &j in possible.balls() {
             let j = usize::from(j);
@@ -120,7 +132,7 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             let contact = if self.off_bed[i] || self.off_bed[j] {
                 self.first_contact_off_bed(i, j, &motion, time, horizon)
             } else {
-                F::first_contact(&motion, distance, horizon)
+                first_contact(&motion, distance, horizon)
             };
             if let Some(t) = contact {
                 self.add_contact(i, j, time + t);

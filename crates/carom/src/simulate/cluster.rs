@@ -4,7 +4,6 @@
 use super::step::StepContext;
 use super::support::Support;
 use super::{Simulation, SimulationError, earlier};
-use crate::detect::ball_ball::ContactFinder;
 use crate::event::{EventKind, Recorder};
 use crate::math::{Vec3, sqrt};
 use crate::resolve::Body;
@@ -136,7 +135,7 @@ fn slate_under(own: u8, ball: &Ball, physics: &Physics) -> WallTouch {
     }
 }
 
-impl<const N: usize, F: ContactFinder> Simulation<N, F> {
+impl<const N: usize> Simulation<N> {
     /// Two balls meet, or several that touch.
     #[inline(always)]
     pub(super) fn on_ball_contact<R: Recorder>(

@@ -6,7 +6,6 @@ use super::persistent_contact::{Encounter, MIN_SEPARATION, SLIPPERY, SLIPPERY_PU
 use super::step::StepContext;
 use super::support::Support;
 use super::{Simulation, earlier};
-use crate::detect::ball_ball::ContactFinder;
 use crate::event::{EventKind, Recorder};
 use crate::math::{Vec3, sqrt};
 use crate::physics::{BallBall, Cushion, Surface};
@@ -28,7 +27,7 @@ const LINER_LEAN: [f64; 2] = [0.258_819_045_102_520_76, 0.965_925_826_289_068_3]
 /// for ever; with it no ball balances closer than 0.06 mm to that point.
 const BALANCE: f64 = 1e-3;
 
-impl<const N: usize, F: ContactFinder> Simulation<N, F> {
+impl<const N: usize> Simulation<N> {
     /// A ball meets a part of a cushion.
     pub(super) fn on_cushion_contact<R: Recorder>(
         &mut self,

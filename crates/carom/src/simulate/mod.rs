@@ -16,15 +16,15 @@ mod edge;
 mod impact;
 mod jam;
 mod off_bed;
+#[cfg(feature = "peers")]
+pub mod peer;
 mod persistent_contact;
 mod row;
 mod step;
 mod support;
 
 use core::fmt;
-use core::marker::PhantomData;
 
-use crate::detect::ball_ball::{ContactFinder, FirstContact};
 use crate::event::{EventKind, Recorder};
 use crate::limits::{MAX_BALLS, SMALL_CAPACITY};
 use crate::motion::Path;
@@ -112,7 +112,7 @@ pub fn simulate<R: Recorder>(shot: &Shot, recorder: &mut R) -> Result<Summary, S
 /// let odd: Simulation<7> = Simulation::new();
 /// ```
 #[derive(Clone, Debug)]
-pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
+pub struct Simulation<const N: usize> {
     n: usize,
     ball: [Ball; N],
     /// Path of the current motion state.
@@ -141,7 +141,6 @@ pub struct Simulation<const N: usize, F: ContactFinder = FirstContact> {
     partners: [BallSet; N],
     /// Whether the processor has vectors wide enough for [`row`].
     wide: bool,
-    finder: PhantomData<F>,
 }
 
 /// Every ball's motion in the table plane, laid out for vector instructions. At the time t after
@@ -184,13 +183,13 @@ impl NextEvent {
     }
 }
 
-impl<const N: usize, F: ContactFinder> Default for Simulation<N, F> {
+impl<const N: usize> Default for Simulation<N> {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<const N: usize, F: ContactFinder> Simulation<N, F> {
+impl<const N: usize> Simulation<N> {
     /// The most balls that fit.
     pub const CAPACITY: usize = N;
 
@@ -229,7 +228,6 @@ impl<const N: usize, F: ContactFinder> Simulation<N, F> {
             wide: crate::math::has_wide_vectors(),
             pair: [[f64::INFINITY; N]; N],
             partners: [BallSet::EMPTY; N],
-            finder: PhantomData,
         }
     }
 

@@ -6,7 +6,6 @@ use super::edge::lip_edge;
 use super::jam::Touched;
 use super::step::StepContext;
 use super::support::{Support, on_plane};
-use crate::detect::ball_ball::ContactFinder;
 use crate::event::{EventKind, Recorder};
 use crate::math::{Vec3, sqrt};
 use crate::resolve::{Body, ball_edge, ball_slate};
@@ -18,7 +17,7 @@ use crate::{BallState, MotionState, Physics};
 /// small bounces.
 const SLOWEST_FALL: f64 = 1e-3;
 
-impl<const N: usize, F: ContactFinder> Simulation<N, F> {
+impl<const N: usize> Simulation<N> {
     /// A ball's centre comes over a hole, or crosses the mouth line of a pocket.
     pub(super) fn on_hole<R: Recorder>(
         &mut self,

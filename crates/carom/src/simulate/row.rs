@@ -27,7 +27,7 @@ impl<const N: usize> PossiblePartners<N> {
     }
 
     /// Takes every visible ball among the first `n`, without a test.
-    #[inline(always)]
+    #[cfg(feature = "peers")]
     pub(super) fn take_all(&mut self, lanes: &Lanes<N>, n: usize) {
         self.count = 0;
         for j in (0..n).filter(|&j| !lanes.valid_until[j].is_nan()) {
