@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.call import PlayArguments
-from carom.env.settings import Settings
 from carom.noise import Noise, Perception
 from carom.plan.options import Goal, Sampling, Search
 from carom.player.thinking import Thinking
@@ -348,7 +347,7 @@ def replay_match(text: str, level: float, threads: int, report: _Report) -> dict
 
 @final
 class VectorEnv:
-    def __new__(cls, task: str, n: int, settings: Settings) -> VectorEnv: ...
+    def __new__(cls, task: str, n: int, settings: dict[str, Any]) -> VectorEnv: ...
     def reset(
         self,
         seeds: list[int] | None,
@@ -391,6 +390,8 @@ class VectorEnv:
     def drawn(self) -> NDArray[np.float64]: ...
     def presets(self) -> dict[str, Any]: ...
     def picture(self, index: int) -> dict[str, Any]: ...
+    @property
+    def autoreset_mode(self) -> str: ...
     @property
     def action_size(self) -> int: ...
     @property

@@ -130,3 +130,4 @@ def test_what_a_type_checker_knows_is_so() -> None:
     typed_use.of_a_frame(frame)
     typed_use.of_a_ruling(frame.play({"speed": 1, "azimuth_deg": 90}, cue_ball=(0.2, 0.2)))
     typed_use.of_a_shot(shot)
+    typed_use.of_environments()

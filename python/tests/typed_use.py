@@ -5,9 +5,11 @@ Each ``type: ignore`` marks an error that mypy must find: without the error it r
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any, Literal, assert_type
 
 import carom
+import carom.env
 from carom.events import BallState, Outcome, TraceEvent
 from carom.request import CallKind, Foul, GameState, Region, Request
 
@@ -79,3 +81,25 @@ def of_a_shot(shot: carom.Shot) -> None:
     except AttributeError:
         return
     raise AssertionError("a misspelled attribute exists")
+
+
+def of_environments() -> None:
+    """The settings of each kind are keywords with types, and no others are."""
+    carom.env.CaromEnv("nine-ball", aim="relative", opponent="level-2", seat="random", balls=(2, 4))
+    carom.env.CaromEnv("nine-ball", opponent=lambda rows: rows, speed=(0.5, 4.0), threads=None)
+    carom.env.CaromVectorEnv("potting", 2, autoreset_mode="disabled", table=["wpa-9ft", None])
+    settings: carom.env.Settings = {"noise": carom.Noise.preset("club"), "patience": 20}
+    carom.env.CaromVectorEnv("nine-ball", **settings)
+    carom.env.aec("nine-ball", rewards=carom.env.Rewards(win=1.0), max_episode_steps=5)
+    wrong: list[Callable[[], object]] = [
+        lambda: carom.env.CaromEnv("potting", elevation=0.1),  # type: ignore[call-arg]
+        lambda: carom.env.CaromEnv("potting", aim="straight"),  # type: ignore[arg-type]
+        lambda: carom.env.CaromVectorEnv("potting", patience=2.5),  # type: ignore[arg-type]
+        lambda: carom.env.aec("nine-ball", opponent="random"),  # type: ignore[call-arg]
+    ]
+    for make in wrong:
+        try:
+            make()
+        except carom.InputError:
+            continue
+        raise AssertionError("a wrong setting is accepted")

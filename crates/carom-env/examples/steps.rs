@@ -22,7 +22,7 @@ fn main() -> Result<(), Error> {
     let config = Config {
         noise: Noise::olympiad(noise),
         aim: Aim::Relative,
-        elevation: 0.0,
+        max_elevation: 0.0,
         balls,
         opponent: Opponent::read(&argument(5, "none"))?,
         threads: (threads > 0).then_some(threads),

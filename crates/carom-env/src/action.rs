@@ -68,7 +68,7 @@ pub(crate) fn strike(
         speed: slow + pace * pace * (fast - slow),
         side: most * a(2) / out,
         height: most * a(3) / out,
-        elevation: config.elevation * a(4).max(0.0),
+        elevation: config.max_elevation * a(4).max(0.0),
     };
     // The default elevation is the least: a player does not strike through the rail.
     let least = episode.default_elevation(turn.cue, from, &intended);

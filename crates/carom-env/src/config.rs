@@ -75,7 +75,7 @@ pub struct Config {
     /// Smallest and largest speed of the cue, m/s.
     pub speed: [f64; 2],
     /// Largest elevation of the cue, rad.
-    pub elevation: f64,
+    pub max_elevation: f64,
     /// The player of the other seat.
     pub opponent: Opponent,
     /// The agent's seat, if it has an opponent.
@@ -96,9 +96,9 @@ pub struct Config {
     /// The reward for a shot.
     pub rewards: Rewards,
     /// Number of steps after which an episode is truncated; `None` for no limit.
-    pub max_steps: Option<u32>,
+    pub max_episode_steps: Option<u32>,
     /// When the next episode begins.
-    pub autoreset: Autoreset,
+    pub autoreset_mode: Autoreset,
     /// Whether the shots of a step are kept, for traces ([`crate::VectorEnv::shots`]).
     pub traces: bool,
     /// Number of threads; `None` for all cores.
@@ -118,7 +118,7 @@ impl Config {
             noise: Noise::default(),
             aim: Aim::default(),
             speed: [0.2, 8.0],
-            elevation: 0.5,
+            max_elevation: 0.5,
             opponent: Opponent::default(),
             seat: AgentSeat::default(),
             balls: None,
@@ -127,8 +127,8 @@ impl Config {
             randomize: Vec::new(),
             options: Options { points, ..Options::default() },
             rewards: Rewards::of(task),
-            max_steps: None,
-            autoreset: Autoreset::default(),
+            max_episode_steps: None,
+            autoreset_mode: Autoreset::default(),
             traces: false,
             threads: None,
         }
@@ -156,14 +156,14 @@ impl Config {
                 format!("write two speeds in (0, {FASTEST}], the lower one first"),
             ));
         }
-        if !(0.0..=STEEPEST).contains(&self.elevation) {
+        if !(0.0..=STEEPEST).contains(&self.max_elevation) {
             return Err(ErrorKind::OutOfRange.at(
                 "max_elevation",
-                format!("{:?} rad is out of range", self.elevation),
+                format!("{:?} rad is out of range", self.max_elevation),
                 format!("write an angle in [0, {STEEPEST}]"),
             ));
         }
-        if self.max_steps == Some(0) {
+        if self.max_episode_steps == Some(0) {
             return Err(ErrorKind::OutOfRange.at(
                 "max_episode_steps",
                 "0 is out of range",

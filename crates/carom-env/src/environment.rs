@@ -231,7 +231,7 @@ impl Environment {
         }
         self.steps += 1;
         let step = &mut self.step;
-        let is_last = config.max_steps.is_some_and(|most| self.steps >= most);
+        let is_last = config.max_episode_steps.is_some_and(|most| self.steps >= most);
         step.truncated |= !step.terminated && is_last;
         self.ended = step.terminated || step.truncated;
         if self.ended {
@@ -441,8 +441,12 @@ mod tests {
     fn an_action_is_struck_as_the_engine_draws_it_beyond_each_limit_too() {
         let task = Task::Game(Game::NineBall);
         let noise = Noise { elevation: 0.3, ..Noise::preset("beginner").expect("a preset") };
-        let config =
-            Config { noise: noise.clone(), speed: [0.1, 8.0], elevation: 1.3, ..Config::of(task) };
+        let config = Config {
+            noise: noise.clone(),
+            speed: [0.1, 8.0],
+            max_elevation: 1.3,
+            ..Config::of(task)
+        };
         let mut episode: Box<dyn Episode> =
             episode(task, &config, &Setup::default()).expect("a task");
         episode.restart(4).expect("a rack");

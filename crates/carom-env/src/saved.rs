@@ -14,9 +14,10 @@ const VERSION: u32 = 1;
 
 /// The settings on which a state depends: their names and values in words.
 pub(crate) fn settings(task: Task, n: usize, config: &Config) -> Vec<(String, String)> {
-    let Config { noise, aim, speed, elevation, opponent, seat, balls, target_ball, .. } = config;
-    let Config { setups, randomize, options, rewards, max_steps, .. } = config;
-    // Not among them: `autoreset`, `traces` and `threads`, which change no results.
+    let Config { noise, aim, speed, max_elevation, opponent, seat, balls, target_ball, .. } =
+        config;
+    let Config { setups, randomize, options, rewards, max_episode_steps, .. } = config;
+    // Not among them: `autoreset_mode`, `traces` and `threads`, which change no results.
     [
         ("engine", env!("CARGO_PKG_VERSION").to_owned()),
         ("task", task.name().to_owned()),
@@ -24,7 +25,7 @@ pub(crate) fn settings(task: Task, n: usize, config: &Config) -> Vec<(String, St
         ("noise", format!("{noise:?}")),
         ("aim", aim.name().to_owned()),
         ("speed", format!("{speed:?}")),
-        ("max_elevation", format!("{elevation:?}")),
+        ("max_elevation", format!("{max_elevation:?}")),
         ("opponent", opponent.name()),
         ("seat", seat.name().to_owned()),
         ("balls", format!("{balls:?}")),
@@ -34,7 +35,7 @@ pub(crate) fn settings(task: Task, n: usize, config: &Config) -> Vec<(String, St
         ("randomize", format!("{randomize:?}")),
         ("options", format!("{options:?}")),
         ("rewards", format!("{rewards:?}")),
-        ("max_episode_steps", format!("{max_steps:?}")),
+        ("max_episode_steps", format!("{max_episode_steps:?}")),
     ]
     .map(|(name, value)| (name.to_owned(), value))
     .into()

@@ -327,7 +327,7 @@ impl VectorEnv {
             for ((_, player), environment) in steps.iter_mut().zip(&self.environments) {
                 *player = next_player(environment);
             }
-            out.collect(&steps, self.config.autoreset);
+            out.collect(&steps, self.config.autoreset_mode);
             return Ok(out);
         }
         let Self { environments, config, runner, .. } = self;
@@ -349,7 +349,7 @@ impl VectorEnv {
                 }
             },
         );
-        out.collect(&steps, config.autoreset);
+        out.collect(&steps, config.autoreset_mode);
         Ok(out)
     }
 
@@ -363,7 +363,7 @@ impl VectorEnv {
             || Worker::new(config),
             |worker, (environments, actions)| {
                 for (environment, action) in environments.iter_mut().zip(actions.chunks(width)) {
-                    if !environment.ended || config.autoreset != Autoreset::NextStep {
+                    if !environment.ended || config.autoreset_mode != Autoreset::NextStep {
                         environment.begin_step(config, worker, action);
                     }
                 }
@@ -378,12 +378,12 @@ impl VectorEnv {
         for ((environment, (step, _)), last) in
             environments.iter_mut().zip(steps).zip(last.chunks_mut(size))
         {
-            if environment.ended && config.autoreset == Autoreset::NextStep {
+            if environment.ended && config.autoreset_mode == Autoreset::NextStep {
                 restart(environment, config, None);
                 continue;
             }
             *step = environment.end_step(config);
-            if environment.ended && config.autoreset == Autoreset::SameStep {
+            if environment.ended && config.autoreset_mode == Autoreset::SameStep {
                 environment.observe(environment.viewer(config), last);
                 restart(environment, config, None);
             }
@@ -475,7 +475,7 @@ impl VectorEnv {
         }
         let setups = self.config.setups.get(index).or(self.config.setups.first());
         let config = Config {
-            autoreset: Autoreset::Disabled,
+            autoreset_mode: Autoreset::Disabled,
             setups: setups.cloned().into_iter().collect(),
             threads,
             ..(*self.config).clone()
@@ -695,11 +695,11 @@ fn advance(
     last: &mut [f32],
 ) -> (StepResult, i8) {
     let mut step = StepResult::default();
-    if environment.ended && config.autoreset == Autoreset::NextStep {
+    if environment.ended && config.autoreset_mode == Autoreset::NextStep {
         restart(environment, config, Some(worker));
     } else {
         step = environment.step(config, worker, action);
-        if environment.ended && config.autoreset == Autoreset::SameStep {
+        if environment.ended && config.autoreset_mode == Autoreset::SameStep {
             environment.observe(environment.viewer(config), last);
             restart(environment, config, Some(worker));
         }

@@ -168,7 +168,7 @@ fn an_observation_lists_the_viewers_own_group_first() {
     let config = Config {
         balls: Some([9, 9]),
         aim: Aim::Relative,
-        autoreset: Autoreset::Disabled,
+        autoreset_mode: Autoreset::Disabled,
         ..Config::of(task)
     };
     let n = 300;
@@ -242,7 +242,11 @@ fn a_clone_continues_independently_from_the_same_state() {
 #[test]
 fn an_episode_is_truncated_after_its_limit_of_steps() {
     let task = Task::Game(Game::ThreeCushion);
-    let config = Config { max_steps: Some(3), autoreset: Autoreset::Disabled, ..Config::of(task) };
+    let config = Config {
+        max_episode_steps: Some(3),
+        autoreset_mode: Autoreset::Disabled,
+        ..Config::of(task)
+    };
     let mut vector = environments(task, 2, config);
     let width = 2 * vector.action_size();
     for step in 1..=3 {
@@ -254,7 +258,8 @@ fn an_episode_is_truncated_after_its_limit_of_steps() {
     let out = vector.step(&actions(width, 4)).expect("a step");
     assert!(out.truncated[0] && out.rewards[0] == 0.0 && out.players[0] == -1);
     assert_eq!(vector.observe(0, 0).expect("an environment"), seen);
-    let refused = VectorEnv::new(task, 1, 0, Config { max_steps: Some(0), ..Config::of(task) });
+    let refused =
+        VectorEnv::new(task, 1, 0, Config { max_episode_steps: Some(0), ..Config::of(task) });
     assert!(refused.is_err_and(|error| error.to_string().starts_with("max_episode_steps")));
 }
 
@@ -311,9 +316,9 @@ fn an_action_without_elevation_is_struck_at_the_default_elevation() {
         let cue = Node::object([("stroke_elevation_deg", degrees.into())]);
         Some(Node::object([("cue", cue)]))
     };
-    let end = |elevation: f64, action: f32, physics: Option<Node>| {
+    let end = |max_elevation: f64, action: f32, physics: Option<Node>| {
         let setups = vec![Setup { table: None, physics }];
-        let config = Config { elevation, setups, ..Config::of(Task::SumToThree) };
+        let config = Config { max_elevation, setups, ..Config::of(Task::SumToThree) };
         let mut vector = environments(Task::SumToThree, 20, config);
         let mut all = actions(20 * vector.action_size(), 1);
         for one in all.chunks_mut(vector.action_size()) {

@@ -84,7 +84,7 @@ fn every_player_plays_a_whole_frame_of_every_game() {
             let failure = -1000.0;
             let config = Config {
                 rewards: Rewards { failure, ..Rewards::of(Task::Game(game)) },
-                autoreset: Autoreset::Disabled,
+                autoreset_mode: Autoreset::Disabled,
                 ..short(game, &format!("{name}:20"))
             };
             let mut vector = environments(game, 1, 3, config);
@@ -132,7 +132,7 @@ fn a_player_without_a_number_has_the_default_number_of_simulated_shots() {
     let seen = |opponent: String| {
         let config = Config {
             balls: None,
-            autoreset: Autoreset::Disabled,
+            autoreset_mode: Autoreset::Disabled,
             ..short(Game::EightBall, &opponent)
         };
         let mut vector = environments(Game::EightBall, 2, 0, config);

@@ -2,13 +2,12 @@
 
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
-use carom::format::Node;
 use carom::{Error, ErrorKind};
 use carom_env::{
     ACTIONS, AgentSeat, Aim, Asked, Autoreset, BALL_FEATURES, Config, EpisodeStart, FEATURES,
     Opponent, Outside, Reply, Rewards, Setup, TargetBall, Task, Transitions, Variable,
 };
-use carom_rules::{Fouls, Options};
+use carom_rules::Fouls;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList, PyString};
@@ -20,31 +19,6 @@ use crate::options::{NoiseOptions, count};
 use crate::player::PlayFields;
 use crate::rules::{AnswerArguments, Frame};
 use crate::shot::Shot;
-
-/// `carom.env.settings.Settings`, read by attribute; Python has checked the types.
-#[derive(FromPyObject)]
-struct Settings<'py> {
-    noise: NoiseOptions,
-    aim: String,
-    speed: [f64; 2],
-    max_elevation: f64,
-    opponent: String,
-    /// `policy` or `player` for an opponent in Python, which has no name in `opponent`.
-    outside: Option<String>,
-    seat: String,
-    balls: Option<[usize; 2]>,
-    target_ball: String,
-    /// Pairs of a table and its physics: one, or one for each environment.
-    setups: Vec<(Bound<'py, PyAny>, Bound<'py, PyAny>)>,
-    randomize: Bound<'py, PyAny>,
-    points: Option<i32>,
-    patience: u32,
-    rewards: Option<RewardSettings>,
-    max_episode_steps: Option<u32>,
-    autoreset_mode: String,
-    traces: bool,
-    threads: Option<usize>,
-}
 
 /// `carom.env.Rewards`, read by attribute.
 #[derive(FromPyObject)]
@@ -62,53 +36,55 @@ impl From<&RewardSettings> for Rewards {
     }
 }
 
-impl Settings<'_> {
-    fn config(&self, task: Task) -> PyResult<Result<Config, Error>> {
-        let optional = |value: &Bound<'_, PyAny>| {
-            if value.is_none() { Ok(None) } else { from_python(value).map(Some) }
-        };
-        let setup = |(table, physics): &(Bound<'_, PyAny>, Bound<'_, PyAny>)| {
-            PyResult::Ok(Setup { table: optional(table)?, physics: optional(physics)? })
-        };
-        let setups = self.setups.iter().map(setup).collect::<PyResult<_>>()?;
-        let randomize = optional(&self.randomize)?;
-        Ok(self.named(task, setups, randomize.as_ref()))
-    }
+/// A table and its physics; None for the default.
+type SetupArgument<'py> = (Option<Bound<'py, PyAny>>, Option<Bound<'py, PyAny>>);
 
-    fn named(
-        &self,
-        task: Task,
-        setups: Vec<Setup>,
-        randomize: Option<&Node>,
-    ) -> Result<Config, Error> {
-        let usual = Config::of(task);
-        Ok(Config {
-            noise: self.noise.noise(),
-            aim: Aim::read(&self.aim)?,
-            speed: self.speed,
-            elevation: self.max_elevation,
-            opponent: match self.outside.as_deref() {
-                None => Opponent::read(&self.opponent)?,
-                Some("policy") => Opponent::Outside(Outside::Policy),
-                Some(_) => Opponent::Outside(Outside::Player),
-            },
-            seat: AgentSeat::read(&self.seat)?,
-            balls: self.balls,
-            target_ball: TargetBall::read(&self.target_ball)?,
-            setups,
-            randomize: randomize.map_or(Ok(Vec::new()), Variable::read_all)?,
-            options: Options {
-                points: self.points.unwrap_or(usual.options.points),
-                patience: self.patience,
-                ..usual.options
-            },
-            rewards: self.rewards.as_ref().map_or(usual.rewards, Rewards::from),
-            max_steps: self.max_episode_steps,
-            autoreset: Autoreset::read(&self.autoreset_mode)?,
-            traces: self.traces,
-            threads: self.threads,
-        })
+/// The settings that `carom.env.settings.checked` returns. It has checked their names and types.
+fn read_config(task: Task, settings: &Bound<'_, PyDict>) -> PyResult<Config> {
+    let raise = |error: Error| to_exception(settings.py(), &error);
+    let mut config = Config::of(task);
+    for (name, value) in settings {
+        match name.extract()? {
+            "noise" => config.noise = value.extract::<NoiseOptions>()?.noise(),
+            "aim" => config.aim = Aim::read(value.extract()?).map_err(raise)?,
+            "speed" => config.speed = value.extract()?,
+            "max_elevation" => config.max_elevation = value.extract()?,
+            "balls" => config.balls = Some(value.extract()?),
+            "target_ball" => {
+                config.target_ball = TargetBall::read(value.extract()?).map_err(raise)?;
+            }
+            "setups" => {
+                let setups: Vec<SetupArgument<'_>> = value.extract()?;
+                config.setups = setups.iter().map(read_setup).collect::<PyResult<_>>()?;
+            }
+            "randomize" => {
+                config.randomize = Variable::read_all(&from_python(&value)?).map_err(raise)?;
+            }
+            "points" => config.options.points = value.extract()?,
+            "patience" => config.options.patience = value.extract()?,
+            "rewards" => config.rewards = Rewards::from(&value.extract::<RewardSettings>()?),
+            "max_episode_steps" => config.max_episode_steps = Some(value.extract()?),
+            "traces" => config.traces = value.extract()?,
+            "threads" => config.threads = Some(value.extract()?),
+            "opponent" => config.opponent = Opponent::read(value.extract()?).map_err(raise)?,
+            "outside" => {
+                let is_policy = value.extract::<&str>()? == "policy";
+                let kind = if is_policy { Outside::Policy } else { Outside::Player };
+                config.opponent = Opponent::Outside(kind);
+            }
+            "seat" => config.seat = AgentSeat::read(value.extract()?).map_err(raise)?,
+            "autoreset_mode" => {
+                config.autoreset_mode = Autoreset::read(value.extract()?).map_err(raise)?;
+            }
+            unknown => unreachable!("a setting that Python does not have: {unknown}"),
+        }
     }
+    Ok(config)
+}
+
+fn read_setup((table, physics): &SetupArgument<'_>) -> PyResult<Setup> {
+    let read = |node: &Option<Bound<'_, PyAny>>| node.as_ref().map(from_python).transpose();
+    Ok(Setup { table: read(table)?, physics: read(physics)? })
 }
 
 /// The start of an episode, from Python.
@@ -197,10 +173,9 @@ pub(crate) struct VectorEnv(Mutex<carom_env::VectorEnv>);
 #[pymethods]
 impl VectorEnv {
     #[new]
-    fn new(py: Python<'_>, task: &str, n: usize, settings: Settings<'_>) -> PyResult<Self> {
+    fn new(py: Python<'_>, task: &str, n: usize, settings: &Bound<'_, PyDict>) -> PyResult<Self> {
         let task = Task::read(task).map_err(|e| to_exception(py, &e))?;
-        let config = settings.config(task)?;
-        let envs = config.and_then(|config| carom_env::VectorEnv::new(task, n, 0, config));
+        let envs = carom_env::VectorEnv::new(task, n, 0, read_config(task, settings)?);
         envs.map(Self::from).map_err(|e| to_exception(py, &e))
     }
 
@@ -423,6 +398,11 @@ impl VectorEnv {
     fn picture<'py>(&self, py: Python<'py>, index: usize) -> PyResult<Bound<'py, PyAny>> {
         let picture = self.lock()?.picture(index).map_err(|e| to_exception(py, &e))?;
         to_python(py, &picture)
+    }
+
+    #[getter]
+    fn autoreset_mode(&self) -> PyResult<&'static str> {
+        Ok(self.lock()?.config().autoreset_mode.name())
     }
 
     #[getter]

@@ -12,7 +12,7 @@ Needs the extra: ``pip install carom[env]``.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Unpack
 
 try:
     import gymnasium  # noqa: F401
@@ -22,7 +22,7 @@ except ImportError as error:
 from carom import _core
 from carom.env.episodes import EpisodeWriter
 from carom.env.registry import ENVIRONMENTS, register
-from carom.env.settings import Rewards
+from carom.env.settings import MatchSettings, Rewards, Settings, VectorSettings
 from carom.env.single import CaromEnv
 from carom.env.vector import CaromVectorEnv
 
@@ -37,7 +37,10 @@ __all__ = [
     "CaromEnv",
     "CaromVectorEnv",
     "EpisodeWriter",
+    "MatchSettings",
     "Rewards",
+    "Settings",
+    "VectorSettings",
     "aec",
 ]
 
@@ -47,12 +50,12 @@ ACTIONS, BALL_FEATURES, FEATURES = (tuple(names) for names in _core.meanings())
 register()
 
 
-def aec(game: str = "eight-ball", **settings: Any) -> CaromMatch:
+def aec(game: str = "eight-ball", **settings: Unpack[MatchSettings]) -> CaromMatch:
     """Create a match between two agents, for PettingZoo.
 
     Args:
         game: A game of ``carom.rule_sets()`` for two players, or ``sum-to-three``.
-        settings: As for the environments of Gymnasium, except ``opponent``.
+        settings: See :class:`carom.env.MatchSettings`.
 
     Returns:
         A ``pettingzoo.AECEnv`` with the agents ``player_0`` and ``player_1``.

@@ -16,10 +16,10 @@ from carom.build import Strike
 from carom.env import infos
 from carom.env.arrays import floats
 from carom.env.opponents import asking
-from carom.env.settings import Settings
-from carom.env.settings import settings as checked
+from carom.env.settings import checked, known
 from carom.env.starts import start
 from carom.errors import InputError
+from carom.noise import Noise
 from carom.player import Play
 from carom.rules import Frame
 from carom.shot import Shot
@@ -39,7 +39,7 @@ class Environments:
     _task: str
     _count: int
     _given: dict[str, Any]
-    _settings: Settings
+    _settings: dict[str, Any]
     _ask: Any
     _width: int
     _seeded: bool
@@ -48,17 +48,32 @@ class Environments:
     def _make(self, task: str, count: int, given: dict[str, Any]) -> None:
         """Make the environments with the settings in ``given``."""
         self._task, self._count, self._given = task, count, given
-        self._settings = checked(**given)
-        self._core = Core(task, count, self._settings)
+        self._settings = known(given)
+        self._core = Core(task, count, checked(self._settings))
         self._width = self._core.action_size
         self._ask = self._asking()
-        own = self._settings
-        self._reports_more = own.traces or own.has_opponent or own.randomize is not None
+        self._reports_more = self._has_traces or self._has_opponent or self._randomize is not None
         self._seeded = False
 
+    @property
+    def _opponent(self) -> Any:
+        return self._settings.get("opponent", "none")
+
+    @property
+    def _has_opponent(self) -> bool:
+        """Whether the agent has one seat, and not both."""
+        return not (isinstance(self._opponent, str) and self._opponent == "none")
+
+    @property
+    def _has_traces(self) -> bool:
+        return bool(self._settings.get("traces"))
+
+    @property
+    def _randomize(self) -> Mapping[str, Any] | None:
+        return self._settings.get("randomize")
+
     def _asking(self) -> Any:
-        own = self._settings
-        return asking(own.opponent_given, own.noise, self._width)
+        return asking(self._opponent, self._settings.get("noise") or Noise(), self._width)
 
     @property
     def presets(self) -> dict[str, Any]:
@@ -85,7 +100,7 @@ class Environments:
             InputError: An opponent's exception interrupted the last step.
         """
         self._check_seeded("get_state")
-        opponent = self._settings.opponent_given
+        opponent = self._opponent
         own = opponent.get_state() if hasattr(opponent, "get_state") else b""
         return self._core.state(own)
 
@@ -100,7 +115,7 @@ class Environments:
         """
         own = self._core.set_state(_bytes(state))
         self._seeded = True
-        opponent = self._settings.opponent_given
+        opponent = self._opponent
         if hasattr(opponent, "set_state"):
             opponent.set_state(own)
 
@@ -124,7 +139,7 @@ class Environments:
                 twin.__dict__[name] = copy.deepcopy(value, memo)
         if self._ask is not None:
             twin._given = copy.deepcopy(self._given, memo)
-            twin._settings = checked(**twin._given)
+            twin._settings = known(twin._given)
             twin._ask = twin._asking()
         return twin
 
@@ -250,7 +265,7 @@ class Environments:
         terminated, truncated = info.pop("terminated"), info.pop("truncated")
         count = len(rewards)
         info["fouls"] = infos.all_fouls(info["fouls"])
-        if self._settings.traces:
+        if self._has_traces:
             info["traces"] = infos.all_traces(core, count)
         if "why" in info:
             info["why"] = np.array(info["why"], dtype=object)
@@ -271,10 +286,10 @@ class Environments:
     def _about_episodes(self, core: Core) -> dict[str, Any]:
         """What ``info`` reports of the present episodes: seats, and variables that were drawn."""
         about: dict[str, Any] = {}
-        if self._settings.has_opponent:
+        if self._has_opponent:
             about["seat"] = core.seats()
-        if self._settings.randomize is not None:
-            about["randomized"] = infos.drawn(core, tuple(self._settings.randomize))
+        if self._randomize is not None:
+            about["randomized"] = infos.drawn(core, tuple(self._randomize))
         return about
 
     def _index(self, index: int) -> int:

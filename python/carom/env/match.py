@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Unpack
 
 import numpy as np
 from gymnasium.error import ResetNeeded
@@ -13,6 +13,7 @@ from carom.env.arrays import floats
 from carom.env.base import Environments
 from carom.env.infos import fouls_of, traces
 from carom.env.render import check_mode, frame
+from carom.env.settings import MatchSettings
 from carom.env.starts import STARTS, read_options, read_starts
 from carom.env.vector import spaces
 from carom.errors import InputError
@@ -38,7 +39,7 @@ class CaromMatch(Environments, AECEnv[str, Any, Any]):  # type: ignore[misc]
     Args:
         game: The name of a task, except potting, which has one player.
         render_mode: ``rgb_array`` or None.
-        settings: See :func:`carom.env.settings.settings`; ``opponent`` is not allowed.
+        settings: See :class:`carom.env.MatchSettings`.
     """
 
     metadata: ClassVar[dict[str, Any]] = {
@@ -49,7 +50,11 @@ class CaromMatch(Environments, AECEnv[str, Any, Any]):  # type: ignore[misc]
     }
 
     def __init__(
-        self, game: str = "eight-ball", *, render_mode: str | None = None, **settings: Any
+        self,
+        game: str = "eight-ball",
+        *,
+        render_mode: str | None = None,
+        **settings: Unpack[MatchSettings],
     ) -> None:
         super().__init__()
         if game == "potting":
@@ -61,7 +66,7 @@ class CaromMatch(Environments, AECEnv[str, Any, Any]):  # type: ignore[misc]
                 raise InputError(
                     "conflict", key, "both players are agents in a match", "leave it out"
                 )
-        given = {"threads": 1} | settings | {"autoreset_mode": "disabled"}
+        given = {"threads": 1, **settings, "autoreset_mode": "disabled"}
         self._make(text("game", game), 1, given)
         self.render_mode = check_mode(render_mode)
         self.possible_agents = ["player_0", "player_1"]
@@ -137,7 +142,7 @@ class CaromMatch(Environments, AECEnv[str, Any, Any]):  # type: ignore[misc]
             "fouls": fouls_of(fouls),
             "strike": strike,
         }
-        if self._settings.traces:
+        if self._has_traces:
             self.infos[shooter]["traces"] = traces(self._core, 0)
         if why is not None:
             for info in self.infos.values():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Protocol
 
 from carom import _core
 from carom.env.arrays import floats
@@ -15,6 +15,14 @@ from carom.rules import Frame
 
 if TYPE_CHECKING:
     from carom.call import PlayArguments
+
+
+class OpponentPlayer(Protocol):
+    """An opponent that makes one decision at a time."""
+
+    def choose(self, situation: Any, /) -> Any:
+        """The answer in a ``carom.Situation``."""
+
 
 #: What Rust calls when an opponent in Python has to answer.
 Ask = Callable[[Any], Any]

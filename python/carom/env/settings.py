@@ -1,19 +1,25 @@
-"""The settings of an environment, checked and ready for Rust."""
+"""The settings of an environment: their types, their meaning, and the checks before Rust."""
 
 from __future__ import annotations
 
 import difflib
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, fields
-from typing import Any
+from typing import TYPE_CHECKING, Any, Literal, TypedDict
 
 from carom.arguments import instance, number, numbers, text, thread_count, truth, whole
 from carom.build import Physics, Table
 from carom.deprecated import renamed_keys
-from carom.env.opponents import kind_of
+from carom.env.opponents import OpponentPlayer, kind_of
 from carom.errors import InputError
 from carom.noise import Noise
+
+if TYPE_CHECKING:
+    from gymnasium.vector import AutoresetMode
+
+#: A check of a setting, from its name and value to the value for Rust.
+Check = Callable[[str, Any], Any]
 
 # The largest count that Rust accepts.
 _LARGEST = 2**31 - 1
@@ -56,173 +62,194 @@ class Rewards:
             object.__setattr__(self, field.name, value)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Settings:
-    """The settings as Rust reads them, by attribute; see :func:`settings` for their meaning.
+#: A table or physics as in a shot; a list has one for each environment of a vector.
+_Setup = Table | Physics | str | Mapping[str, Any]
 
-    Attributes:
-        noise: Noise of every strike but those of a level; all zeros mean no noise.
-        aim: As given.
-        speed: Least and largest speed of the cue, m/s.
-        max_elevation: rad.
-        opponent: The name; ``none`` for an opponent in Python.
-        outside: ``policy`` or ``player`` for an opponent in Python, else None.
-        opponent_given: As given.
-        seat: As given, as a text.
-        balls: Least and most object balls, or None.
-        target_ball: As given.
-        setups: Tables with their physics, plain descriptions, names or None: one, or one for each
-            environment.
-        randomize: As given.
-        points: As given.
-        patience: As given.
-        rewards: As given.
-        max_episode_steps: As given.
-        autoreset_mode: As given.
-        traces: As given.
-        threads: Number of threads; None means one per core.
+
+class MatchSettings(TypedDict, total=False):
+    """Settings of all environments. Each is a keyword of its own and may be left out.
+
+    Rust has the defaults (``Config::of`` in carom-env); None always stands for the default.
     """
 
-    noise: Noise
-    aim: str
-    speed: tuple[float, ...]
+    noise: Noise | None
+    """Execution noise of every strike, the opponent's too, unless it is a level of strength. None:
+    no noise."""
+    aim: Literal["absolute", "relative"]
+    """``absolute``: the first action is the cue's direction, −1 to 1 for −π to π. ``relative``:
+    the first action is the point where the cue ball meets the nearest ball on, from that ball's
+    right edge (−1) to its left edge (1). Default: ``"absolute"``."""
+    speed: tuple[float, float]
+    """Least and largest speed of the cue, m/s. Default: ``(0.2, 8.0)``."""
     max_elevation: float
-    opponent: str
-    outside: str | None
-    opponent_given: Any
-    seat: str
-    balls: tuple[int, int] | None
-    target_ball: str
-    setups: list[tuple[Any, Any]]
-    randomize: dict[str, Any] | None
+    """Largest elevation of the cue, rad. The default elevation of a strike is the least, also where
+    it is larger than this. Default: ``0.5``."""
+    balls: int | tuple[int, int] | None
+    """Number of object balls that are placed at random at the start, or the least and the most. In
+    potting None is 1. In the games None is a rack; otherwise the game begins in the middle, with
+    equal scores. In snooker these are the reds, and the colours are on their spots; carom games
+    have all of theirs; sum-to-three has none."""
+    target_ball: Literal["any", "lowest"]
+    """In potting, the ball to pot. Default: ``"any"``."""
+    table: _Setup | Sequence[_Setup | None] | None
+    """As in a shot. A list gives every environment of a vector its own. None: the task's own."""
+    physics: _Setup | Sequence[_Setup | None] | None
+    """As in a shot. A list gives every environment of a vector its own. None: the table's own."""
+    randomize: Mapping[str, Any] | None
+    """Numbers that every episode draws from its seed: keys of the physics, such as
+    ``cloth.rolling_friction``, or of the table, such as ``table.cushion_height``, with a law.
+    ``(low, high)`` is uniform; ``{"log_uniform": (low, high)}``, ``{"normal": (mean, deviation)}``
+    and ``{"choice": numbers}`` are the others. A draw with which no table or physics can exist is
+    repeated. ``info["randomized"]`` reports them. None: nothing is drawn."""
     points: int | None
+    """Points that win. None: the game's ``usual_points`` (``carom.game_facts()``), in sum-to-three
+    10."""
     patience: int
+    """Number of shots without progress after which the frame is a stalemate. Default: ``100``."""
     rewards: Rewards | None
+    """The rewards of a shot. None: the task's own."""
     max_episode_steps: int | None
-    autoreset_mode: str
+    """Steps after which an episode is truncated. None: no limit."""
     traces: bool
+    """Whether ``info["traces"]`` has the traces of a step's shots. They are simulated for it once
+    more. Default: ``False``."""
     threads: int | None
-
-    @property
-    def has_opponent(self) -> bool:
-        """Whether the agent has one seat, and not both."""
-        return self.outside is not None or self.opponent != "none"
+    """Number of threads. Results do not depend on it. None: one per core; a single environment has
+    one by default."""
 
 
-def settings(**given: Any) -> Settings:
-    """Check the settings of an environment.
+class Settings(MatchSettings, total=False):
+    """Settings of environments with one agent: those of :class:`MatchSettings`, and these."""
 
-    Args:
-        given: The settings below, by name. ``target`` is the old name of ``points``.
+    opponent: str | Callable[[Any], Any] | OpponentPlayer
+    """The second player: ``none``, ``random``, ``potter``, or in a game a built-in player
+    (``carom.players()`` lists them), such as ``level-2``. Settings and a number of simulated shots
+    for each decision may follow, as in ``carom[shift=false]:500``; a player that is not a level has
+    200 without a number. A level strikes with its own noise. Or an opponent of one's own: a
+    function from observations, shape (k, size), to actions, shape (k, action size), or an object
+    with ``choose(situation)`` (``carom.Situation``), which returns a ``carom.Play``, a
+    ``carom.Decision``, the name of a choice, or ``"concede"``. Default: ``"none"``."""
+    seat: int | Literal["random", "alternate"]
+    """The agent's seat, if it has an opponent: 0 (it begins), 1, ``random`` (drawn for every
+    episode) or ``alternate`` (0 in the first episode of a seed, then 1, and so on).
+    Default: ``0``."""
 
-    The settings:
 
-    - ``noise``: Execution noise of every strike, the opponent's too, unless it is a level of
-      strength; None means no noise.
-    - ``aim``: ``absolute``: the first action is the cue's direction, −1 to 1 for −π to π.
-      ``relative``: the first action is the point where the cue ball meets the nearest ball on,
-      from that ball's right edge (−1) to its left edge (1).
-    - ``speed``: Least and largest speed of the cue, m/s.
-    - ``max_elevation``: Largest elevation of the cue, rad. The default elevation of a strike is
-      the least, also where it is larger than this.
-    - ``opponent``: The second player: ``none``, ``random``, ``potter``, or in a game a built-in
-      player (``carom.players()`` lists them), such as ``level-2``. Settings and a number of
-      simulated shots for each decision may follow, as in ``carom[shift=false]:500``; a player that
-      is not a level has 200 without a number. A level strikes with its own noise. Or an opponent
-      of one's own: a function from observations, shape (k, size), to actions, shape (k, action
-      size), or an object with ``choose(situation)`` (``carom.Situation``), which returns a
-      ``carom.Play``, a ``carom.Decision``, the name of a choice, or ``"concede"``.
-    - ``seat``: The agent's seat, if it has an opponent: 0 (it begins), 1, ``random`` (drawn for
-      every episode) or ``alternate`` (0 in the first episode of a seed, then 1, and so on).
-    - ``balls``: Number of object balls that are placed at random at the start, or the least and
-      the most. In potting None means 1. In the games None means a rack; otherwise the game begins
-      in the middle, with equal scores. In snooker these are the reds, and the colours are on their
-      spots; carom games have all of theirs; sum-to-three ignores it.
-    - ``target_ball``: In potting, the ball to pot: ``any`` or ``lowest``.
-    - ``table``: As in a shot; None means the task's own. A list gives every environment of a
-      vector its own.
-    - ``physics``: As in a shot; None means the table's own. Likewise.
-    - ``randomize``: Numbers that every episode draws from its seed: keys of the physics, such as
-      ``cloth.rolling_friction``, or of the table, such as ``table.cushion_height``, with a law.
-      ``(low, high)`` is uniform; ``{"log_uniform": (low, high)}``, ``{"normal": (mean,
-      deviation)}`` and ``{"choice": numbers}`` are the others. A draw with which no table or
-      physics can exist is repeated. ``info["randomized"]`` reports them.
-    - ``points``: Points that win; None means the game's ``usual_points``
-      (``carom.game_facts()``), in sum-to-three 10.
-    - ``patience``: Number of shots without progress after which the frame is a stalemate.
-    - ``rewards``: The rewards of a shot; None means the task's own.
-    - ``max_episode_steps``: Steps after which an episode is truncated; None means no limit.
-    - ``autoreset_mode``: ``same-step``, ``next-step`` or ``disabled``. Single environments never
-      reset by themselves.
-    - ``traces``: Whether ``info["traces"]`` has the traces of a step's shots. They are simulated
-      for it once more.
-    - ``threads``: Number of threads; None means one per core. Results do not depend on it.
+class VectorSettings(Settings, total=False):
+    """Settings of vectors: those of :class:`Settings`, and this one."""
+
+    autoreset_mode: Literal["same-step", "next-step", "disabled"] | AutoresetMode
+    """When the next episode begins: ``same-step``, ``next-step`` or ``disabled`` (then
+    ``reset(options={"reset_mask": ...})`` begins it), or Gymnasium's ``AutoresetMode``.
+    Default: ``"same-step"``."""
+
+
+def known(given: Mapping[str, Any]) -> dict[str, Any]:
+    """The settings under their present names. ``target`` is the old name of ``points``.
 
     Raises:
-        InputError: A setting is unknown or has a wrong type. Rust checks the ranges.
+        InputError: There is no such setting.
     """
-    return _checked(**renamed_keys("settings", given, _RENAMED))
-
-
-def _checked(
-    *,
-    noise: Noise | None = None,
-    aim: str = "absolute",
-    speed: tuple[float, float] = (0.2, 8.0),
-    max_elevation: float = 0.5,
-    opponent: Any = "none",
-    seat: int | str = 0,
-    balls: int | tuple[int, int] | None = None,
-    target_ball: str = "any",
-    table: Any = None,
-    physics: Any = None,
-    randomize: Mapping[str, Any] | None = None,
-    points: int | None = None,
-    patience: int = 100,
-    rewards: Rewards | None = None,
-    max_episode_steps: int | None = None,
-    autoreset_mode: str = "same-step",
-    traces: bool = False,
-    threads: int | None = None,
-    **unknown: Any,
-) -> Settings:
-    for name in unknown:
+    own = renamed_keys("settings", given, _RENAMED)
+    for name in own.keys() - _CHECKS.keys():
         raise _no_such(name)
-    if noise is not None:
-        instance("noise", noise, Noise, "carom.Noise.olympiad(1.0)")
-    if rewards is not None and not isinstance(rewards, Rewards):
+    return own
+
+
+def checked(own: Mapping[str, Any]) -> dict[str, Any]:
+    """The settings as Rust reads them. Those that are not given are missing: Rust has the defaults.
+
+    ``table`` and ``physics`` become ``setups``, a list of pairs; an opponent in Python becomes
+    ``outside``, its kind.
+
+    Raises:
+        InputError: A setting has a wrong type. Rust checks the ranges.
+    """
+    found = {name: _CHECKS[name](name, value) for name, value in own.items()}
+    found["setups"] = _setups(found.pop("table", None), found.pop("physics", None))
+    if "opponent" in found and (kind := kind_of(found["opponent"])) is not None:
+        del found["opponent"]
+        found["outside"] = kind
+    return {name: value for name, value in found.items() if value is not None}
+
+
+def _or_none(check: Check) -> Check:
+    return lambda name, value: None if value is None else check(name, value)
+
+
+def _count(name: str, value: Any) -> int:
+    return whole(name, value, _LARGEST + 1)
+
+
+def _as_given(_name: str, value: Any) -> Any:
+    return value
+
+
+def _rewards(name: str, value: Any) -> Rewards:
+    if not isinstance(value, Rewards):
         raise InputError(
             "wrong-type",
-            "rewards",
-            f"found a {type(rewards).__name__}",
+            name,
+            f"found a {type(value).__name__}",
             "give carom.env.Rewards(...), for example carom.env.Rewards(win=1.0)",
         )
-    outside = kind_of(opponent)
-    return Settings(
-        noise=noise or Noise(),
-        aim=text("aim", aim, '"absolute"'),
-        speed=numbers("speed", speed, 2),
-        max_elevation=number("max_elevation", max_elevation),
-        opponent=opponent if outside is None else "none",
-        outside=outside,
-        opponent_given=opponent,
-        seat=seat if isinstance(seat, str) else str(whole("seat", seat, 2)),
-        balls=None if balls is None else _whole_pair("balls", balls),
-        target_ball=text("target_ball", target_ball, '"any"'),
-        setups=_setups(table, physics),
-        randomize=None if randomize is None else _laws(randomize),
-        points=None if points is None else whole("points", points, _LARGEST + 1),
-        patience=whole("patience", patience, _LARGEST + 1),
-        rewards=rewards,
-        max_episode_steps=(
-            None
-            if max_episode_steps is None
-            else whole("max_episode_steps", max_episode_steps, _LARGEST + 1)
-        ),
-        autoreset_mode=text("autoreset_mode", autoreset_mode, '"same-step"'),
-        traces=truth("traces", traces),
-        threads=thread_count(threads) or None,
-    )
+    return value
+
+
+def _seat(name: str, value: Any) -> str:
+    return value if isinstance(value, str) else str(whole(name, value, 2))
+
+
+def _counts(name: str, value: int | Sequence[int]) -> tuple[int, int]:
+    try:
+        low, high = value  # type: ignore[misc]
+    except TypeError:
+        low = high = value
+    except ValueError:
+        raise InputError(
+            "wrong-count",
+            name,
+            f"{value!r} is not one number or two",
+            "write a whole number or (least, most)",
+        ) from None
+    return _count(name, low), _count(name, high)
+
+
+def _laws(name: str, value: Any) -> dict[str, Any]:
+    if not isinstance(value, Mapping):
+        raise InputError(
+            "wrong-type",
+            name,
+            f"found a {type(value).__name__}",
+            "give keys of the physics with laws, such as "
+            '{"cloth.rolling_friction": (0.008, 0.012)}',
+        )
+    return dict(value)
+
+
+#: The check of every setting, which returns the value for Rust.
+_CHECKS: dict[str, Check] = {
+    "noise": _or_none(
+        lambda name, value: instance(name, value, Noise, "carom.Noise.olympiad(1.0)")
+    ),
+    "aim": lambda name, value: text(name, value, '"absolute"'),
+    "speed": lambda name, value: numbers(name, value, 2),
+    "max_elevation": number,
+    "balls": _or_none(_counts),
+    "target_ball": lambda name, value: text(name, value, '"any"'),
+    "table": _as_given,
+    "physics": _as_given,
+    "randomize": _or_none(_laws),
+    "points": _or_none(_count),
+    "patience": _count,
+    "rewards": _or_none(_rewards),
+    "max_episode_steps": _or_none(_count),
+    "traces": truth,
+    "threads": lambda _, value: thread_count(value) or None,
+    "opponent": _as_given,
+    "seat": _seat,
+    "autoreset_mode": lambda name, value: text(name, value, '"same-step"'),
+}
 
 
 def _setups(table: Any, physics: Any) -> list[tuple[Any, Any]]:
@@ -248,36 +275,9 @@ def _each(value: Any, kind: type[Table] | type[Physics]) -> list[Any]:
     return [one.description if isinstance(one, kind) else one for one in values] or [None]
 
 
-def _laws(randomize: Mapping[str, Any]) -> dict[str, Any]:
-    if not isinstance(randomize, Mapping):
-        raise InputError(
-            "wrong-type",
-            "randomize",
-            f"found a {type(randomize).__name__}",
-            "give keys of the physics with laws, such as "
-            '{"cloth.rolling_friction": (0.008, 0.012)}',
-        )
-    return dict(randomize)
-
-
 def _no_such(name: str) -> InputError:
-    known = [*(_checked.__kwdefaults__ or {}), "render_mode"]
-    near = difflib.get_close_matches(name, known, 1)
+    names = [*_CHECKS, "render_mode"]
+    near = difflib.get_close_matches(name, names, 1)
     meant = f'did you mean "{near[0]}"? ' if near else ""
-    remedy = f"{meant}(known: {', '.join(known)})"
+    remedy = f"{meant}(known: {', '.join(names)})"
     return InputError("unknown-name", name, "there is no such setting", remedy, {"name": name})
-
-
-def _whole_pair(name: str, value: int | Sequence[int]) -> tuple[int, int]:
-    try:
-        low, high = value  # type: ignore[misc]
-    except TypeError:
-        low = high = value
-    except ValueError:
-        raise InputError(
-            "wrong-count",
-            name,
-            f"{value!r} is not one number or two",
-            "write a whole number or (least, most)",
-        ) from None
-    return whole(name, low, _LARGEST + 1), whole(name, high, _LARGEST + 1)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Unpack
 
 import gymnasium
 from gymnasium.error import ResetNeeded
@@ -12,6 +12,7 @@ from carom.env.arrays import floats
 from carom.env.base import Environments
 from carom.env.infos import fouls_of, traces
 from carom.env.render import check_mode, frame
+from carom.env.settings import Settings
 from carom.env.starts import STARTS, read_options, read_starts
 from carom.env.vector import spaces
 
@@ -37,13 +38,15 @@ class CaromEnv(Environments, gymnasium.Env[Any, Any]):
     Args:
         task: A game of ``carom.rule_sets()`` for two players, ``potting`` or ``sum-to-three``.
         render_mode: ``rgb_array`` or None.
-        settings: See :func:`carom.env.settings.settings`.
+        settings: See :class:`carom.env.Settings`.
     """
 
     metadata: dict[str, Any] = {"render_modes": ["rgb_array"], "render_fps": 1}  # noqa: RUF012
 
-    def __init__(self, task: str, *, render_mode: str | None = None, **settings: Any) -> None:
-        given = {"threads": 1} | settings | {"autoreset_mode": "disabled"}
+    def __init__(
+        self, task: str, *, render_mode: str | None = None, **settings: Unpack[Settings]
+    ) -> None:
+        given = {"threads": 1, **settings, "autoreset_mode": "disabled"}
         self._make(text("task", task), 1, given)
         self.render_mode = check_mode(render_mode)
         self.observation_space, self.action_space = spaces(self._core)
@@ -99,7 +102,7 @@ class CaromEnv(Environments, gymnasium.Env[Any, Any]):
         if why is not None:
             info["winner"], info["why"] = winner, why
         if self._reports_more:
-            if self._settings.traces:
+            if self._has_traces:
                 info["traces"] = traces(self._core, 0)
             info |= self._about_episode()
         return seen, reward, terminated, truncated, info

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Unpack
 
 import numpy as np
 from gymnasium.spaces import Box
@@ -16,6 +16,7 @@ from carom.arguments import WORD, text, whole
 from carom.env.arrays import floats
 from carom.env.base import Environments
 from carom.env.render import check_mode, frame
+from carom.env.settings import VectorSettings
 from carom.env.starts import STARTS, read_options, read_starts
 from carom.errors import InputError
 
@@ -29,6 +30,7 @@ _MODES = {
     "next-step": AutoresetMode.NEXT_STEP,
     "disabled": AutoresetMode.DISABLED,
 }
+_NAMES = {mode: name for name, mode in _MODES.items()}
 # Most environments of a vector. Snooker takes 5 kB for each, so these need 5 GB. Without a limit a
 # typing error would end the process when memory runs out.
 _MOST = 10**6
@@ -65,10 +67,7 @@ class CaromVectorEnv(Environments, VectorEnv[Any, Any, Any]):
         task: A game of ``carom.rule_sets()`` for two players, ``potting`` or ``sum-to-three``.
         num_envs: Number of environments.
         render_mode: ``rgb_array`` or None.
-        autoreset_mode: When the next episode begins: ``same-step``, ``next-step`` or
-            ``disabled`` (then ``reset(options={"reset_mask": ...})`` begins it), or Gymnasium's
-            ``AutoresetMode``.
-        settings: See :func:`carom.env.settings.settings`.
+        settings: See :class:`carom.env.VectorSettings`.
     """
 
     def __init__(
@@ -77,19 +76,17 @@ class CaromVectorEnv(Environments, VectorEnv[Any, Any, Any]):
         num_envs: int = 1,
         *,
         render_mode: str | None = None,
-        autoreset_mode: str | AutoresetMode = "same-step",
-        **settings: Any,
+        **settings: Unpack[VectorSettings],
     ) -> None:
-        if isinstance(autoreset_mode, AutoresetMode):
-            names = {mode: name for name, mode in _MODES.items()}
-            autoreset_mode = names[autoreset_mode]
         num_envs = whole("num_envs", num_envs, _MOST + 1, low=1)
-        given = {**settings, "autoreset_mode": autoreset_mode}
+        given: dict[str, Any] = {**settings}
+        if isinstance(mode := given.get("autoreset_mode"), AutoresetMode):
+            given["autoreset_mode"] = _NAMES[mode]
         self._make(text("task", task), num_envs, given)
         self.metadata = {
             "render_modes": ["rgb_array"],
             "render_fps": 1,
-            "autoreset_mode": _MODES[autoreset_mode],
+            "autoreset_mode": _MODES[self._core.autoreset_mode],
         }
         self.num_envs = num_envs
         self.render_mode = check_mode(render_mode)
