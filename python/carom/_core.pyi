@@ -31,6 +31,7 @@ __all__ = [
     "check_perception",
     "check_record",
     "dated_value",
+    "default_options",
     "draw_strikes",
     "error_kinds",
     "evaluate",
@@ -308,6 +309,7 @@ def break_shot(
     seed: int,
     gap: float | None,
 ) -> Shot: ...
+def default_options() -> dict[str, Any]: ...
 def game_facts() -> list[dict[str, Any]]: ...
 def rolling_bands(
     law: tuple[float, float], tolerance: tuple[float, float, float], gravity: float

@@ -4,11 +4,29 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, NamedTuple
 
 from carom import _core
 from carom.arguments import text as checked
 from carom.errors import InputError
+
+
+class Options(NamedTuple):
+    """The options of a frame, which its players agree on.
+
+    Attributes:
+        points: Points that win games whose ``scoring`` is ``target``.
+        miss: Whether a foul and a miss is called in snooker.
+        patience: Number of shots in a row without progress that make a stalemate.
+    """
+
+    points: int
+    miss: bool
+    patience: int
+
+
+#: The options of a frame that has no others.
+DEFAULT_OPTIONS = Options(**_core.default_options())
 
 
 def tables() -> list[dict[str, Any]]:

@@ -15,6 +15,7 @@ from carom.call import Call, PlayArguments, fields_of, read_call
 from carom.deprecated import renamed_arguments
 from carom.errors import InputError
 from carom.noise import Noise
+from carom.reference import DEFAULT_OPTIONS, Options
 from carom.request import Choice, Foul, GameState, Request
 from carom.request import request as read_request
 from carom.shot import Shot
@@ -102,9 +103,9 @@ class Frame:
         table: Table | str | Mapping[str, Any] | None = None,
         physics: Physics | str | Mapping[str, Any] | None = None,
         seed: int = 0,
-        points: int = 40,
-        miss: bool = True,
-        patience: int = 100,
+        points: int = DEFAULT_OPTIONS.points,
+        miss: bool = DEFAULT_OPTIONS.miss,
+        patience: int = DEFAULT_OPTIONS.patience,
     ) -> None:
         if isinstance(table, Table):
             table = table.description
@@ -118,12 +119,18 @@ class Frame:
             # Dated names of presets: the record replays when the presets have other values.
             **_core.Frame.recorded_setup(game, table, physics),
             "seed": seed,
-        } | _written(options)
+        } | options._asdict()
 
     @classmethod
     @renamed_arguments(target="points")
     def of_shot(
-        cls, game: str, shot: Shot, *, points: int = 40, miss: bool = True, patience: int = 100
+        cls,
+        game: str,
+        shot: Shot,
+        *,
+        points: int = DEFAULT_OPTIONS.points,
+        miss: bool = DEFAULT_OPTIONS.miss,
+        patience: int = DEFAULT_OPTIONS.patience,
     ) -> Frame:
         """A frame that continues from the balls of a shot.
 
@@ -150,7 +157,7 @@ class Frame:
             options,
         )
         frame._moves = []
-        frame._setup = {"game": game, "shot": shot._core.to_object(dated="all")} | _written(options)
+        frame._setup = {"game": game, "shot": shot._core.to_object(dated="all")} | options._asdict()
         return frame
 
     @classmethod
@@ -628,15 +635,10 @@ def play_arguments(
     )
 
 
-def _options(points: int, miss: bool, patience: int) -> tuple[int, bool, int]:
+def _options(points: int, miss: bool, patience: int) -> Options:
     # Rust holds them in 32 bits, `points` with a sign.
-    return (
+    return Options(
         whole("options.points", points, 1 << 31),
         truth("options.miss", miss),
         whole("options.patience", patience, 1 << 32),
     )
-
-
-def _written(options: tuple[int, bool, int]) -> dict[str, int | bool]:
-    """The options in the form of a record."""
-    return dict(zip(("points", "miss", "patience"), options, strict=True))

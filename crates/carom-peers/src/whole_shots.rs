@@ -131,7 +131,7 @@ pub struct Contestant {
     pub method: &'static str,
     /// The rule that selects the contact among their roots.
     pub rule: RootRule,
-    /// The finder in the event loop; none for the engine's own.
+    /// The finder in the event loop; `None` for the engine's own.
     peer: Option<PeerFinder>,
 }
 

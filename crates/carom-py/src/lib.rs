@@ -47,7 +47,8 @@ mod _core {
     use crate::player::{Player, players};
     #[pymodule_export]
     use crate::reference::{
-        break_presets, break_shot, error_kinds, game_facts, physics, repaired, schema, tables,
+        break_presets, break_shot, default_options, error_kinds, game_facts, physics, repaired,
+        schema, tables,
     };
     #[pymodule_export]
     use crate::rolling::rolling_bands;

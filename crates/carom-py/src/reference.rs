@@ -3,7 +3,7 @@
 use carom::format::Node;
 use carom::rack::{Break, Game, break_shot as open};
 use carom::{ErrorKind, Table, edition};
-use carom_rules::GameFacts;
+use carom_rules::{GameFacts, Options};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
@@ -28,6 +28,12 @@ pub(crate) fn tables(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
 #[pyfunction]
 pub(crate) fn game_facts(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
     to_python(py, &Node::list(Game::ALL.map(|game| GameFacts::of(game).to_node())))
+}
+
+/// The options of a frame that has no others.
+#[pyfunction]
+pub(crate) fn default_options(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    to_python(py, &Options::default().to_node())
 }
 
 /// Every break preset with its values and their sources.

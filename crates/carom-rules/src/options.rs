@@ -1,5 +1,6 @@
 //! The options of a frame.
 
+use carom::format::Node;
 use carom::{Error, ErrorKind};
 
 /// The settings of a frame, agreed before it starts.
@@ -23,6 +24,16 @@ impl Default for Options {
 }
 
 impl Options {
+    /// The options as an object, in the form of a record.
+    pub fn to_node(&self) -> Node {
+        let Self { points, miss, patience } = *self;
+        Node::object([
+            ("points", i64::from(points).into()),
+            ("miss", miss.into()),
+            ("patience", patience.into()),
+        ])
+    }
+
     /// Checks that all options are in range.
     ///
     /// # Errors

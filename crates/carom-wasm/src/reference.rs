@@ -4,7 +4,7 @@ use carom::format::Node;
 use carom::physics::{RollingLaw, RollingTolerance};
 use carom::rack::{Break, Game, break_shot as open};
 use carom::{Physics, Table, edition};
-use carom_rules::GameFacts;
+use carom_rules::{GameFacts, Options};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -71,6 +71,12 @@ pub fn with_dated_names(file: &str) -> Result<String, JsValue> {
 #[wasm_bindgen(js_name = gameFacts)]
 pub fn game_facts() -> String {
     Node::list(Game::ALL.map(|game| GameFacts::of(game).to_node())).to_json()
+}
+
+/// The options of a frame that has no others.
+#[wasm_bindgen(js_name = defaultOptions)]
+pub fn default_options() -> String {
+    Options::default().to_node().to_json()
 }
 
 /// The break of a game; options that are undefined take their defaults.

@@ -17,6 +17,7 @@ from carom.noise import Noise, Perception, noise_or_default, perception_or_none
 from carom.player import Play, Player
 from carom.player.thinking import seconds
 from carom.progress import stage_bars
+from carom.reference import DEFAULT_OPTIONS
 from carom.rules import Frame
 
 if TYPE_CHECKING:
@@ -50,9 +51,9 @@ def play_match(
     disclosure: str = "both",
     test: tuple[float, float] | None = None,
     secret: str | None = None,
-    points: int = 40,
-    miss: bool = True,
-    patience: int = 100,
+    points: int = DEFAULT_OPTIONS.points,
+    miss: bool = DEFAULT_OPTIONS.miss,
+    patience: int = DEFAULT_OPTIONS.patience,
     max_events: int = 100_000,
     level: float = 0.95,
     threads: int | None = None,

@@ -16,7 +16,7 @@ from carom.batch import own_strike
 from carom.cli.options import Json, Level, named_noise
 from carom.cli.output import emit, emit_answer, read, say
 from carom.errors import InputError
-from carom.reference import points_help
+from carom.reference import DEFAULT_OPTIONS, points_help
 
 T = TypeVar("T")
 
@@ -91,7 +91,7 @@ def match(
             "of player A, such as 0.5,0.55.",
         ),
     ] = None,
-    points: Annotated[int, typer.Option(min=1, help=points_help())] = 40,
+    points: Annotated[int, typer.Option(min=1, help=points_help())] = DEFAULT_OPTIONS.points,
     secret: Annotated[
         str | None,
         typer.Option(

@@ -57,8 +57,6 @@ export * from "./player.ts";
 export * from "./rules.ts";
 export * from "./types.ts";
 
-const DEFAULT_TERMS = { points: 40, miss: true, patience: 100 } as const;
-
 /** Default options of `rollingBands`, those of Python's `rolling_bands`. */
 const ROLLING = { fastest: 3, share: 0.005, least: 0.005, gravity: 9.80665 } as const;
 
@@ -115,6 +113,7 @@ class WasmEngine implements Engine {
   readonly version = wasm.version();
   readonly tip = wasm.tip();
   readonly gameFacts = factsByName(wasm.gameFacts());
+  readonly defaultTerms = JSON.parse(wasm.defaultOptions()) as Engine["defaultTerms"];
   readonly games: readonly string[] = Object.keys(this.gameFacts);
   readonly ruleSets: readonly string[] = this.games;
   readonly players: readonly string[] = wasm.players();
@@ -234,7 +233,7 @@ class WasmEngine implements Engine {
       physics: true,
       seed: true,
     });
-    const terms = termsOf(options);
+    const terms = termsOf(options, this.defaultTerms);
     const optional = (value: unknown) => (value === undefined ? undefined : JSON.stringify(value));
     const [table, physics] = [optional(options.table), optional(options.physics)];
     const { points, miss, patience } = terms;
@@ -249,7 +248,7 @@ class WasmEngine implements Engine {
   }
 
   frameOf(game: string, shot: Shot, terms: FrameTerms = {}): Frame {
-    const written = termsOf(known("options", terms, TERMS));
+    const written = termsOf(known("options", terms, TERMS), this.defaultTerms);
     const { points, miss, patience } = written;
     const handle = handleOf(shot);
     const frame = checked(() =>
@@ -287,12 +286,12 @@ function factsByName(json: string): Engine["gameFacts"] {
   return Object.fromEntries(facts.map((game) => [game.name, game]));
 }
 
-function termsOf(given: FrameTerms): Required<Omit<FrameTerms, "target">> {
+function termsOf(given: FrameTerms, usual: Engine["defaultTerms"]): Engine["defaultTerms"] {
   // eslint-disable-next-line @typescript-eslint/no-deprecated -- the old spelling still works
   const { target: old } = given;
   if (old !== undefined) warnOnce("FrameTerms.target is called FrameTerms.points now");
   const { points, miss, patience } = {
-    ...DEFAULT_TERMS,
+    ...usual,
     ...(old !== undefined && { points: old }),
     ...given,
   };

@@ -51,6 +51,8 @@ export interface Engine {
   readonly games: readonly string[];
   /** The facts of every game, by its name. */
   readonly gameFacts: Readonly<Record<string, GameFacts>>;
+  /** The terms of a frame that has no others: points, miss and patience. */
+  readonly defaultTerms: Required<Omit<FrameTerms, "target">>;
   /** Table presets: the newest ones, then older editions. */
   readonly tables: readonly Geometry[];
   /**

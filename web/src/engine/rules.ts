@@ -157,15 +157,15 @@ export interface GameFacts {
   readonly miss: boolean;
 }
 
-/** Terms that the players agree on before a frame. */
+/** Terms that the players agree on before a frame. `Engine.defaultTerms` has the defaults. */
 export interface FrameTerms {
-  /** Points that win straight pool and three-cushion. Default 40. */
+  /** Points that win straight pool and the games of carom. */
   readonly points?: number;
   /** @deprecated Old name of `points`. */
   readonly target?: number;
-  /** Whether a foul and a miss is called in snooker. Default true. */
+  /** Whether a foul and a miss is called in snooker. */
   readonly miss?: boolean;
-  /** Number of consecutive shots without progress that make a stalemate. Default 100. */
+  /** Number of consecutive shots without progress that make a stalemate. */
   readonly patience?: number;
 }
 

@@ -71,16 +71,10 @@ impl MatchHeader {
     /// The header as an object.
     pub fn to_node(&self) -> Node {
         let settings = self.of.settings();
-        let Options { points, miss, patience } = settings.options;
         let setup = self.of.recorded_setup();
         let players = self.of.players().iter().map(|PlayerEntry { name, settings }| {
             Node::object([("name", name.into()), ("settings", settings.clone())])
         });
-        let options = [
-            ("points", Node::from(i64::from(points))),
-            ("miss", miss.into()),
-            ("patience", patience.into()),
-        ];
         let breaker = match settings.breaker {
             Breaker::Alternate => "alternate".into(),
             Breaker::Always(player) => Node::Integer(player as i64),
@@ -91,7 +85,7 @@ impl MatchHeader {
             ("engine", (&self.engine).into()),
             ("players", Node::list(players)),
             ("game", settings.game.name().into()),
-            ("options", Node::object(options)),
+            ("options", settings.options.to_node()),
             ("table", setup.get("table").cloned().into()),
             ("physics", setup.get("physics").cloned().into()),
             ("max_events", settings.max_events.into()),
