@@ -31,8 +31,7 @@ pub fn check_record(json: &str) -> Result<(), JsValue> {
 #[wasm_bindgen]
 pub struct Frame(pub(crate) carom_rules::Frame);
 
-/// A player's shot: the strike (speed, azimuth, side, height) and its elevation, the place of a cue
-/// ball in hand, and the call (kind, ball, pocket). Without an elevation it is the default one.
+/// A player's shot: the strike, the place of a cue ball in hand, and the call.
 #[wasm_bindgen]
 pub struct PlayArguments {
     strike: Strike,
@@ -47,28 +46,31 @@ pub struct PlayArguments {
 
 #[wasm_bindgen]
 impl PlayArguments {
-    /// Collects the parts of a play.
+    /// A play of this strike, which calls nothing. Without an elevation it is the default one.
     #[wasm_bindgen(constructor)]
-    pub fn new(
-        strike: &[f64],
-        elevation: Option<f64>,
-        cue_ball: Option<Vec<f64>>,
-        call: String,
-        ball: Option<String>,
-        pocket: Option<String>,
-    ) -> Result<Self, JsValue> {
-        let [speed, azimuth, side, height] = *strike else {
-            return Err(js_sys::RangeError::new("strike: write four numbers").into());
-        };
-        let strike = Strike { speed, azimuth, elevation: elevation.unwrap_or(0.0), side, height };
-        let has_elevation = elevation.is_some();
-        let two = |place: Vec<f64>| {
-            <[f64; 2]>::try_from(place)
-                .map_err(|_| js_sys::RangeError::new("cue_ball: write two numbers"))
-        };
-        let cue_ball = cue_ball.map(two).transpose()?;
-        let (policy, cling) = (StrikePolicy::default(), Cling::NONE);
-        Ok(Self { strike, has_elevation, cue_ball, call, ball, pocket, policy, cling })
+    pub fn new(speed: f64, azimuth: f64, elevation: Option<f64>, side: f64, height: f64) -> Self {
+        Self {
+            strike: Strike { speed, azimuth, elevation: elevation.unwrap_or(0.0), side, height },
+            has_elevation: elevation.is_some(),
+            cue_ball: None,
+            call: "nothing".to_owned(),
+            ball: None,
+            pocket: None,
+            policy: StrikePolicy::default(),
+            cling: Cling::NONE,
+        }
+    }
+
+    /// Sets the place of a cue ball in hand, m.
+    #[wasm_bindgen(js_name = setCueBall)]
+    pub fn set_cue_ball(&mut self, x: f64, y: f64) {
+        self.cue_ball = Some([x, y]);
+    }
+
+    /// Sets the call: its kind, and the ball and the pocket that it names.
+    #[wasm_bindgen(js_name = setCall)]
+    pub fn set_call(&mut self, kind: String, ball: Option<String>, pocket: Option<String>) {
+        (self.call, self.ball, self.pocket) = (kind, ball, pocket);
     }
 
     /// Sets the policies for a strike that a player could not play cleanly, by name.

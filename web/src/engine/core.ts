@@ -395,11 +395,8 @@ class WasmShot implements Shot {
   }
 
   withStrike(strike: StrikeInput): Shot {
-    const { numbers: values, elevation } = readStrike(strike);
-    const [speed, azimuth, side, height] = values;
-    return new WasmShot(
-      checked(() => this.handle.object.withStrike(speed, azimuth, elevation, side, height)),
-    );
+    const { numbers: values } = readStrike(strike);
+    return new WasmShot(checked(() => this.handle.object.withStrike(...values)));
   }
 
   get until() {
@@ -713,19 +710,17 @@ function playedOf({ strike: given, cue_ball, call }: Play, result: wasm.PlayResu
 /** Converts a play for the engine, and frees the converted play afterwards. */
 function withPlay<T>(play: Play, use: (given: wasm.PlayArguments) => T): T {
   const { strike, cue_ball, call, cling } = known("play", play, PLAY);
-  const { elevation, obstruction, miscue, ...read } = readStrike(strike);
-  const values = Float64Array.from(read.numbers);
-  const place =
-    cue_ball === undefined
-      ? undefined
-      : Float64Array.from(numbers("cue_ball", cue_ball, ["0", "1"]));
+  const { obstruction, miscue, ...read } = readStrike(strike);
+  const place = cue_ball === undefined ? undefined : numbers("cue_ball", cue_ball, ["0", "1"]);
   const { kind = "nothing", ball, into } = call === undefined ? {} : known("call", call, CALL);
   text("call.kind", kind);
   if (ball !== undefined) text("call.ball", ball);
   if (into !== undefined) text("call.into", into);
-  const given = new wasm.PlayArguments(values, elevation, place, kind, ball, into);
+  const given = new wasm.PlayArguments(...read.numbers);
   try {
     checked(() => {
+      if (place !== undefined) given.setCueBall(place[0]!, place[1]!);
+      given.setCall(kind, ball, into);
       given.setPolicy(obstruction, miscue);
       if (cling !== undefined) given.setCling(json(cling));
     });

@@ -20,10 +20,14 @@ const KEYS = {
 
 /** A strike in radians, with the defaults of what it omits. */
 export interface ReadStrike {
-  /** Speed (m/s), azimuth (rad), side, height (ball radii), in the engine's order. */
-  readonly numbers: readonly [speed: number, azimuth: number, side: number, height: number];
-  /** rad; undefined stands for the default one. */
-  readonly elevation: number | undefined;
+  /** Speed (m/s), azimuth (rad), elevation (rad; undefined: the default), side, height (ball radii). */
+  readonly numbers: readonly [
+    speed: number,
+    azimuth: number,
+    elevation: number | undefined,
+    side: number,
+    height: number,
+  ];
   readonly obstruction: NonNullable<StrikeEntry["obstruction"]>;
   readonly miscue: NonNullable<StrikeEntry["miscue"]>;
 }
@@ -50,8 +54,7 @@ export function readStrike(strike: StrikeInput): ReadStrike {
   }
   const { obstruction = "report", miscue = "refuse" } = given;
   return {
-    numbers: [speed!, azimuth, side!, height!],
-    elevation: angle(given, "elevation"),
+    numbers: [speed!, azimuth, angle(given, "elevation"), side!, height!],
     obstruction: text("strike.obstruction", obstruction),
     miscue: text("strike.miscue", miscue),
   };
