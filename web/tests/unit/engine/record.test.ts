@@ -100,6 +100,13 @@ test("a record has dated names, the policies and the default elevation of a stri
   ]);
 });
 
+test("the terms of a frame without others are the engine's defaults", () => {
+  expect(Object.keys(engine.defaultTerms)).toEqual(["points", "miss", "patience"]);
+  expect(engine.frame("nine-ball").record.setup).toMatchObject(engine.defaultTerms);
+  const explicit = engine.frame("nine-ball", engine.defaultTerms);
+  expect(explicit.hash).toBe(engine.frame("nine-ball").hash);
+});
+
 test("a frame of a shot has the shot in its record", () => {
   const shot = engine.shot({
     format: "carom-shot/1",

@@ -32,7 +32,11 @@ export function mountSetup(root: HTMLElement, store: Store, context: Context): v
   table.append(h("option", { value: THIS_TABLE }, t("setup.this-table")));
   const seed = number(drawn(), 0);
   const goal = number(engine.defaultTerms.points, 1);
-  const miss = h("input", { type: "checkbox", id: uniqueId("miss"), checked: engine.defaultTerms.miss });
+  const miss = h("input", {
+    type: "checkbox",
+    id: uniqueId("miss"),
+    checked: engine.defaultTerms.miss,
+  });
   const start = select([
     ["", t("setup.new-rack")],
     [AS_THEY_LIE, t("setup.as-they-lie")],
