@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any, Self
 
 from carom.arguments import instance
+from carom.batch import VARIABLES
 from carom.build import Strike, like
 from carom.call import Call
 from carom.noise import Noise
@@ -51,7 +52,7 @@ class Play:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values, for JSON, in the form of a frame's record."""
-        strike = {key: getattr(self.strike, key) for key in _STRIKE}
+        strike = {key: getattr(self.strike, key) for key in VARIABLES}
         play = {
             "strike": strike,
             "cue_ball": self.cue_ball and list(self.cue_ball),
@@ -67,10 +68,6 @@ class Play:
         if self.cue_ball is not None:
             parts.append(f"cue ball at {words.place(self.cue_ball)} m")
         return ", ".join(parts)
-
-
-# The values of a strike in a record.
-_STRIKE = ("speed", "azimuth", "elevation", "side", "height")
 
 
 def _call(call: Call) -> str:
