@@ -1,4 +1,5 @@
-"""Rewrite the goldens: event counts and hashes of shots, noisy variants, random games, decisions.
+"""Rewrite the goldens: event counts and hashes of shots, noisy variants, random games, decisions,
+environments.
 
     python scripts/write_goldens.py
 
@@ -7,6 +8,7 @@ It also redraws the README's pictures, because they show results.
 
 from __future__ import annotations
 
+import hashlib
 import json
 import math
 import random
@@ -14,6 +16,9 @@ from pathlib import Path
 from typing import Any
 
 import carom
+import carom.env
+import gymnasium
+import numpy as np
 from carom import picture
 
 ROOT = Path(__file__).parents[1]
@@ -42,11 +47,35 @@ def main() -> None:
     (ROOT / "goldens" / "noise.json").write_text(_noise(), encoding="utf-8")
     (ROOT / "goldens" / "games.json").write_text(_games(), encoding="utf-8")
     (ROOT / "goldens" / "decisions.json").write_text(_decisions(), encoding="utf-8")
+    _write_environments()
     _write_presets()
     for name, shot in PICTURES.items():
         drawn = picture.png(shot().simulate(), title=name.replace("_", " "))
         (ROOT / "docs" / "images" / f"{name}.png").write_bytes(drawn)
     print(f"{len(goldens)} goldens written; explain a change in CHANGELOG.md")
+
+
+def _write_environments() -> None:
+    """Store the hash of every environment. That of a version never changes."""
+    path = ROOT / "goldens" / "environments.json"
+    stored = json.loads(path.read_text(encoding="utf-8"))
+    now = {name: environment_hash(name) for name in sorted(carom.env.ENVIRONMENTS)}
+    for name in now.keys() & stored.keys():
+        if now[name] != stored[name]:
+            raise SystemExit(f"{name} has other results: increase its version in env/registry.py")
+    rows = ",\n".join(f"  {json.dumps(name)}: {json.dumps(row)}" for name, row in now.items())
+    path.write_text(f"{{\n{rows}\n}}\n", encoding="utf-8")
+
+
+def environment_hash(name: str) -> str:
+    """The first 16 digits of the SHA-256 of five steps of sixteen environments."""
+    envs = gymnasium.make_vec(name, num_envs=16, noise=carom.Noise.olympiad(1.0))
+    chance = np.random.default_rng(5)
+    parts = [envs.reset(seed=3)[0]]
+    for _ in range(5):
+        actions = chance.uniform(-1, 1, envs.action_space.shape).astype(np.float32)
+        parts += envs.step(actions)[:4]
+    return hashlib.sha256(b"".join(part.tobytes() for part in parts)).hexdigest()[:16]
 
 
 def _write_presets() -> None:
@@ -243,7 +272,7 @@ def _place(
     """A free place for the cue ball that is behind every head string and in every D."""
     while True:
         x, y = chance.uniform(0.61, 0.66), chance.uniform(0.5, 0.6)
-        if frame.game == "snooker":
+        if frame.request["in_hand"] == "the-d":
             x, y = x + 0.25, y + 0.13
         try:
             frame.shot(strike, cue_ball=(x, y), call=call)

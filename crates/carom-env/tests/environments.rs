@@ -6,7 +6,7 @@ use carom_env::{
     Aim, Autoreset, CUSHIONS, Config, FEATURES, MAX_ENVIRONMENTS, Opponent, Rewards, Setup,
     TargetBall, Task, VectorEnv,
 };
-use carom_rules::Game;
+use carom_rules::{Game, GameFacts};
 
 /// Random actions that are the same for the same seed.
 fn actions(count: usize, seed: u64) -> Vec<f32> {
@@ -101,15 +101,11 @@ fn the_lowest_ball_is_harder_to_pot_than_any() {
 
 #[test]
 fn games_start_with_the_requested_number_of_random_balls() {
-    // The third column: balls that are always on the table, besides the cue ball.
-    for (game, balls, always) in [
-        (Game::EightBall, [4, 9], &[8][..]),
-        (Game::NineBall, [2, 5], &[9]),
-        (Game::TenBall, [1, 10], &[10]),
-        (Game::StraightPool, [2, 15], &[]),
-        (Game::Snooker, [0, 6], &[16, 17, 18, 19, 20, 21]),
-        (Game::ThreeCushion, [2, 2], &[1, 2]),
-    ] {
+    for game in Game::ALL {
+        let Some(start) = GameFacts::of(game).random_start else { continue };
+        let racked = start.racked.map_or(0..0, |[first, last]| first..last + 1);
+        let always: Vec<_> = start.always.iter().copied().chain(racked.clone()).collect();
+        let balls = [start.count[0], start.count[1].min(start.count[0] + 8)];
         let task = Task::Game(game);
         let count = 300;
         let vector = environments(task, count, Config { balls: Some(balls), ..Config::of(task) });
@@ -120,12 +116,11 @@ fn games_start_with_the_requested_number_of_random_balls() {
             let (seen_balls, rest) = row.split_at(row.len() - FEATURES.len());
             let on_table: Vec<bool> = seen_balls.chunks(4).map(|ball| ball[2] == 1.0).collect();
             assert!(on_table[0], "the cue ball");
-            assert!(always.iter().all(|ball| on_table[*ball]), "{}", task.name());
+            assert!(always.iter().all(|ball| on_table[usize::from(*ball)]), "{}", task.name());
             // The cue ball is not in hand, and it is not an opening shot.
             assert_eq!([rest[0], rest[1], rest[2], rest[5]], [0.0; 4], "{}", task.name());
             places.insert([row[0].to_bits(), row[1].to_bits()]);
-            let spotted = if game == Game::Snooker { 6 } else { 0 };
-            seen.insert(on_table[1..].iter().filter(|on| **on).count() - spotted);
+            seen.insert(on_table[1..].iter().filter(|on| **on).count() - racked.len());
         }
         let asked: Vec<usize> = (balls[0]..=balls[1]).collect();
         assert_eq!(seen.into_iter().collect::<Vec<_>>(), asked, "{}", task.name());

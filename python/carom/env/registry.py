@@ -6,7 +6,8 @@ import gymnasium
 
 from carom import _core
 
-# The version of every task's environment. It increases when the same actions give other results.
+# The versions of the tasks' environments. A version increases when the same actions give other
+# results. A task that is not listed has version 1.
 _VERSIONS = {
     "potting": 3,
     "eight-ball": 6,
@@ -15,15 +16,13 @@ _VERSIONS = {
     "straight-pool": 4,
     "snooker": 6,
     "three-cushion": 6,
-    "straight-rail": 1,
-    "four-ball": 1,
     "sum-to-three": 3,
 }
 
 
 def _name(task: str) -> str:
     words = "".join(word.capitalize() for word in task.split("-"))
-    return f"carom/{words}-v{_VERSIONS[task]}"
+    return f"carom/{words}-v{_VERSIONS.get(task, 1)}"
 
 
 # Every task, by the name of its environment.

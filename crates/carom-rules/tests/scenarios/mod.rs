@@ -243,6 +243,19 @@ fn every_pool_foul_has_a_rule_number_and_a_description() {
 }
 
 #[test]
+fn every_rack_has_the_balls_of_its_games_facts() {
+    for game in Game::ALL {
+        let (frame, facts) = (Scenario::of(game).0, crate::GameFacts::of(game));
+        assert_eq!(frame.layout().len(), facts.balls, "{}", game.name());
+        if let Some(start) = facts.random_start {
+            let racked = start.racked.map_or(0, |[first, last]| usize::from(last - first) + 1);
+            let most = start.count[1] + racked + 1;
+            assert_eq!(most, facts.balls, "{}: all balls can be on the table", game.name());
+        }
+    }
+}
+
+#[test]
 fn names_of_games_and_choices_are_read_back() {
     assert!(Game::ALL.into_iter().all(|game| Game::named(game.name()) == Some(game)));
     assert!(Choice::ALL.into_iter().all(|choice| Choice::named(choice.name()) == Some(choice)));

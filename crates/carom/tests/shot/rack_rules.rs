@@ -133,15 +133,6 @@ fn every_rack_has_each_ball_once() {
         ids.sort();
         ids.dedup();
         assert_eq!(ids.len(), count, "{game:?}");
-        let expected = match game {
-            Game::NineBall => 10,
-            Game::TenBall => 11,
-            Game::EightBall | Game::StraightPool | Game::Practice => 16,
-            Game::Snooker => 22,
-            Game::ThreeCushion | Game::StraightRail => 3,
-            Game::FourBall => 4,
-        };
-        assert_eq!(count, expected, "{game:?}");
     }
 }
 
