@@ -171,7 +171,7 @@ impl Frame {
     /// Points for `ball` in snooker: 1 for a red, 2 to 7 for a colour; 0 for the cue ball and in
     /// other games.
     pub fn value(&self, ball: BallIndex) -> i32 {
-        self.game_state.rules().value(ball)
+        self.game_state.rules().value(&self.state.layout, ball)
     }
 
     /// The options that were agreed before the start.

@@ -147,7 +147,7 @@ pub(crate) trait GameRules {
     }
 
     /// Points for `ball` in snooker: 1 for a red, 2 to 7 for a colour.
-    fn value(&self, _: BallIndex) -> i32 {
+    fn value(&self, _: &FrameLayout, _: BallIndex) -> i32 {
         0
     }
 

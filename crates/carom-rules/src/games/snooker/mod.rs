@@ -19,18 +19,19 @@ use crate::seat::{self, Seat};
 use crate::state::FrameState;
 use crate::state_bytes::state_bytes;
 
-use balls::{CUE, YELLOW};
+use balls::{BLACK_VALUE, Balls};
 use stroke::Stroke;
 
-pub(crate) use balls::{BLACK, COLORS, REDS};
-pub use balls::{On, value};
+pub(crate) use balls::CUE;
+pub use balls::On;
+pub(super) use stroke::KeptClear;
 
 /// Consecutive misses that lose the frame, if a ball on could be hit full each time (section 3,
 /// rule 14d).
 const MISSES: u32 = 3;
 
 /// The number of the rule that sets the penalty (WPBSA, rules of snooker, section 3).
-const fn rule(foul: Foul) -> &'static str {
+pub(super) const fn rule(foul: Foul) -> &'static str {
     match foul {
         Foul::DoubleHit => "WPBSA 3.10(a)(ii)",
         Foul::NoContact => "WPBSA 3.10(a)(vi)",
@@ -45,6 +46,9 @@ const fn rule(foul: Foul) -> &'static str {
     }
 }
 
+/// The opening shot.
+pub(super) const OPENING: Opening = Opening { kind: OpeningKind::Safety, speeds: [2.0, 7.0] };
+
 pub(crate) const FACTS: GameFacts = GameFacts {
     game: Game::Snooker,
     players: 2,
@@ -53,13 +57,13 @@ pub(crate) const FACTS: GameFacts = GameFacts {
     objective: Objective::RedsAndColors,
     deciding_ball: None,
     scoring: Scoring::Points { maximum: 147 },
-    opening: Opening { kind: OpeningKind::Safety, speeds: [2.0, 7.0] },
+    opening: OPENING,
     stalemate: Stalemate::Restart, // WPBSA, section 3, rule 16
     random_start: Some(RandomStart {
         count: [0, 15],
         always: &[CUE],
         drawn: Some([1, 15]),
-        racked: Some([YELLOW, BLACK]),
+        racked: Some([16, 21]),
     }),
     lag: false,
     miss: true,
@@ -111,7 +115,7 @@ impl Snooker {
         let lost = state.layout.is_down(CUE).then_some(Region::TheD);
         let nominate = self.free_ball || self.on == On::Color;
         let on = if self.free_ball {
-            state.layout.left(1..=BLACK)
+            state.layout.left(1..=Balls::of(&state.layout).black())
         } else {
             self.on.balls(&state.layout)
         };
@@ -122,10 +126,25 @@ impl Snooker {
     /// The most points that the balls on the table can score without fouls: a black with every red,
     /// then the colours. A player who trails by more needs penalty points.
     pub(crate) fn points_left(&self, layout: &FrameLayout) -> i32 {
-        let reds = layout.left(REDS).len() as i32;
-        let colors: i32 = layout.left(COLORS).iter().copied().map(value).sum();
-        let black = if self.on == On::Color { value(BLACK) } else { 0 };
-        reds * (1 + value(BLACK)) + black + colors
+        let balls = Balls::of(layout);
+        let reds = layout.left(balls.reds()).len() as i32;
+        let left = layout.left(balls.colors());
+        let colors: i32 = left.iter().map(|color| balls.value(*color)).sum();
+        let black = if self.on == On::Color { BLACK_VALUE } else { 0 };
+        reds * (1 + BLACK_VALUE) + black + colors
+    }
+
+    /// Whether, after this shot, the player who trails can still win without penalty points.
+    pub(super) fn is_open(&self, state: &FrameState) -> bool {
+        lead(state.scores_after()) < self.points_left(&state.layout)
+    }
+
+    /// The request to `seat`, who has the cue ball in hand in `region` and no free ball.
+    pub(super) fn play_from(&mut self, state: &FrameState, seat: Seat, region: Region) -> Request {
+        self.free_ball = false;
+        self.misses = 0;
+        self.before = None;
+        self.turn(state, seat, Some(region))
     }
 
     /// Points of a legal shot: one for each red, or the value of the ball on. A free ball counts as
@@ -146,7 +165,7 @@ impl Snooker {
         self.free_ball = false;
         self.on = match self.on {
             On::Red if after_red => On::Color,
-            _ if state.layout.left(REDS).is_empty() => On::Sequence,
+            _ if state.layout.left(Balls::of(&state.layout).reds()).is_empty() => On::Sequence,
             _ => On::Red,
         };
     }
@@ -170,8 +189,7 @@ impl Snooker {
         if let Some(end) = self.end(state, shot) {
             return end;
         }
-        let is_open = lead(state.scores) < worth_before
-            && lead(state.scores_after()) < self.points_left(&state.layout);
+        let is_open = lead(state.scores) < worth_before && self.is_open(state);
         // After a miss with a full ball in sight, another miss from the same position is called at
         // any score (rule 14d).
         let misses = state.options.miss && stroke.missed && (is_open || self.misses > 0);
@@ -191,11 +209,51 @@ impl Snooker {
         Request::choice(opponent, if misses { &choices } else { &choices[..2] }, why)
     }
 
+    /// Rules on a shot, as [`GameRules::judge`].
+    pub(super) fn judge_with(
+        &mut self,
+        state: &mut FrameState,
+        shot: &PlayedShot<'_>,
+        kept_clear: KeptClear,
+    ) -> Request {
+        self.is_opening = false;
+        let (seat, opponent) = (shot.seat(), shot.opponent());
+        let stroke = Stroke::of(self.on, self.free_ball, shot);
+        let (fouls, penalty) = stroke.fouls(state, shot, kept_clear);
+        state.ruling.fouls = fouls;
+        let legal = fouls.is_empty();
+        let scored = if legal { self.score(shot, &stroke) } else { 0 };
+
+        // When the colours are on in order, the ball on stays down.
+        let in_sequence = legal && self.on == On::Sequence;
+        let stays = if in_sequence { self.on.balls(shot.before) } else { BallList::new() };
+        let gone = |ball: &BallIndex| !shot.before.is_down(*ball) && state.layout.is_down(*ball);
+        let colors = Balls::of(shot.before).colors();
+        let back: BallList = colors.filter(gone).filter(|ball| !stays.contains(ball)).collect();
+        spots::put_back(state, &back);
+
+        if !legal {
+            state.ruling.points[opponent] = penalty;
+            state.fouls[seat] += 1;
+            return self.after_foul(state, shot, &stroke);
+        }
+        state.ruling.points[seat] = scored;
+        state.fouls[seat] = 0;
+        self.misses = 0;
+        self.advance(state, scored > 0);
+        self.break_points = if scored > 0 { self.break_points + scored } else { 0 };
+        if let Some(end) = self.end(state, shot) {
+            return end;
+        }
+        self.turn(state, if scored > 0 { seat } else { opponent }, None)
+    }
+
     /// The end of the frame, if this shot ended it. With only the black left, the first score or
     /// foul ends the frame. If the scores are then equal, the black is spotted, a random player
     /// chooses who plays, and the next score or foul decides (rule 4).
     fn end(&self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Option<Request> {
-        let decided = shot.before.left(1..=BLACK) == [BLACK] && state.ruling.points != [0, 0];
+        let black = Balls::of(shot.before).black();
+        let decided = shot.before.left(1..=black) == [black] && state.ruling.points != [0, 0];
         if !decided {
             return None;
         }
@@ -205,7 +263,7 @@ impl Snooker {
             return Some(Request::won(winner, "the black decided"));
         }
         state.layout.put(CUE, None);
-        spots::put_back(state, &[BLACK]);
+        spots::put_back(state, &[black]);
         let lot = (state.next_seed() >> 32) as usize & 1;
         let choices = [Choice::PlayOn, Choice::PassBack];
         Some(Request::choice(lot, &choices, "the scores are equal: the black is played for"))
@@ -228,49 +286,22 @@ impl GameRules for Snooker {
     }
 
     fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {
-        let on = if state.layout.left(REDS).is_empty() { On::Sequence } else { On::Red };
+        let on = On::Color.after_a_miss(&state.layout);
         *self = Self { on, ..Self::default() };
         self.turn(state, seat, None)
     }
 
     fn missing(&self, places: &[Option<[f64; 2]>]) -> Option<String> {
         let is_down = |ball: BallIndex| places[usize::from(ball)].is_none();
-        let red_left = REDS.into_iter().any(|red| !is_down(red));
-        let next = COLORS.into_iter().find(|color| red_left || !is_down(*color)).unwrap_or(BLACK);
-        let gone = (next..=BLACK).find(|color| is_down(*color))?;
-        Some(format!("the colour of {} points is down", value(gone)))
+        let (balls, black) = (Balls::of_count(places.len()), Balls::of_count(places.len()).black());
+        let red_left = balls.reds().any(|red| !is_down(red));
+        let next = balls.colors().find(|color| red_left || !is_down(*color)).unwrap_or(black);
+        let gone = (next..=black).find(|color| is_down(*color))?;
+        Some(format!("the colour of {} points is down", balls.value(gone)))
     }
 
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
-        self.is_opening = false;
-        let (seat, opponent) = (shot.seat(), shot.opponent());
-        let stroke = Stroke::of(self.on, self.free_ball, shot);
-        let (fouls, penalty) = stroke.fouls(state, shot);
-        state.ruling.fouls = fouls;
-        let legal = fouls.is_empty();
-        let scored = if legal { self.score(shot, &stroke) } else { 0 };
-
-        // When the colours are on in order, the ball on stays down.
-        let in_sequence = legal && self.on == On::Sequence;
-        let stays = if in_sequence { self.on.balls(shot.before) } else { BallList::new() };
-        let gone = |ball: &BallIndex| !shot.before.is_down(*ball) && state.layout.is_down(*ball);
-        let back: BallList = COLORS.filter(gone).filter(|ball| !stays.contains(ball)).collect();
-        spots::put_back(state, &back);
-
-        if !legal {
-            state.ruling.points[opponent] = penalty;
-            state.fouls[seat] += 1;
-            return self.after_foul(state, shot, &stroke);
-        }
-        state.ruling.points[seat] = scored;
-        state.fouls[seat] = 0;
-        self.misses = 0;
-        self.advance(state, scored > 0);
-        self.break_points = if scored > 0 { self.break_points + scored } else { 0 };
-        if let Some(end) = self.end(state, shot) {
-            return end;
-        }
-        self.turn(state, if scored > 0 { seat } else { opponent }, None)
+        self.judge_with(state, shot, KeptClear::FreeBall)
     }
 
     fn choose(&mut self, state: &mut FrameState, seat: Seat, choice: Choice) -> Request {
@@ -298,8 +329,8 @@ impl GameRules for Snooker {
         Some(self.on)
     }
 
-    fn value(&self, ball: BallIndex) -> i32 {
-        value(ball)
+    fn value(&self, layout: &FrameLayout, ball: BallIndex) -> i32 {
+        Balls::of(layout).value(ball)
     }
 
     fn describe(&self, layout: &FrameLayout) -> Option<String> {

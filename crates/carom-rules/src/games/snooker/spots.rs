@@ -1,9 +1,8 @@
 //! Spotting colours (WPBSA, section 3, rule 7).
 
-use carom::Table;
 use carom::rack::snooker_spots;
 
-use super::balls::{COLORS, YELLOW};
+use super::balls::Balls;
 use crate::layout::{BallIndex, BallList};
 use crate::state::FrameState;
 
@@ -13,10 +12,11 @@ use crate::state::FrameState;
 /// ball.
 pub(super) fn put_back(state: &mut FrameState, balls: &[BallIndex]) {
     let FrameState { base, layout, ruling, .. } = state;
-    let table = base.table();
+    let (table, all) = (base.table(), Balls::of(layout));
+    let spot_of = |color: BallIndex| snooker_spots(table)[usize::from(color - all.yellow)];
     let mut displaced = BallList::new();
     for &ball in balls {
-        let own = spot_of(table, ball);
+        let own = spot_of(ball);
         layout.put(ball, None);
         if layout.is_free(ball, own) {
             layout.put(ball, Some(own));
@@ -29,14 +29,9 @@ pub(super) fn put_back(state: &mut FrameState, balls: &[BallIndex]) {
     }
     // Both callers list the colours in ascending order.
     for &ball in displaced.iter().rev() {
-        let spots = COLORS.rev().map(|color| spot_of(table, color));
-        match spots.into_iter().find(|spot| layout.is_free(ball, *spot)) {
+        match all.colors().rev().map(spot_of).find(|spot| layout.is_free(ball, *spot)) {
             Some(place) => layout.put(ball, Some(place)),
-            None => layout.spot(ball, spot_of(table, ball), table, |_| true),
+            None => layout.spot(ball, spot_of(ball), table, |_| true),
         }
     }
-}
-
-fn spot_of(table: &Table, color: BallIndex) -> [f64; 2] {
-    snooker_spots(table)[usize::from(color - YELLOW)]
 }

@@ -2,7 +2,7 @@
 
 use carom::outcome::Touched;
 
-use super::balls::{BLACK, CUE, On, value};
+use super::balls::{BLACK_VALUE, Balls, CUE, On};
 use super::hidden;
 use crate::games::game::PlayedShot;
 use crate::layout::{BallList, FROZEN};
@@ -13,6 +13,15 @@ use crate::state::FrameState;
 
 /// The smallest penalty, in points.
 const LEAST_PENALTY: i32 = 4;
+
+/// The nominated balls that must not be left in the way of the next player.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum KeptClear {
+    /// The free ball (rule 12b).
+    FreeBall,
+    /// The free ball and a nominated colour.
+    AnyNominated,
+}
 
 /// A stroke, compared with what was on.
 pub(super) struct Stroke {
@@ -36,6 +45,7 @@ impl Stroke {
     /// The stroke `shot`, played when `kind` was on.
     pub(super) fn of(kind: On, has_free_ball: bool, shot: &PlayedShot<'_>) -> Self {
         let on = kind.balls(shot.before);
+        let value = |ball| Balls::of(shot.before).value(ball);
         let one = |ball| BallList::from(&[ball][..]);
         let nominated = match shot.call {
             Call::On(ball) => Some(ball),
@@ -50,7 +60,7 @@ impl Stroke {
         };
         let value_on = match kind {
             On::Red => 1,
-            On::Color => nominated.map_or(value(BLACK), value),
+            On::Color => nominated.map_or(BLACK_VALUE, value),
             On::Sequence => on.first().map_or(0, |ball| value(*ball)),
         };
         let touching = shot.before.touching(CUE, FROZEN);
@@ -63,7 +73,13 @@ impl Stroke {
     }
 
     /// The fouls, and the largest of their penalties.
-    pub(super) fn fouls(&self, state: &FrameState, shot: &PlayedShot<'_>) -> (Fouls, i32) {
+    pub(super) fn fouls(
+        &self,
+        state: &FrameState,
+        shot: &PlayedShot<'_>,
+        kept_clear: KeptClear,
+    ) -> (Fouls, i32) {
+        let value = |ball| Balls::of(shot.before).value(ball);
         let (mut fouls, mut penalty) = (Fouls::NONE, LEAST_PENALTY.max(self.value));
         let mut foul = |committed: bool, foul, concerned: i32| {
             fouls.add_if(committed, foul);
@@ -98,21 +114,22 @@ impl Stroke {
             foul(true, Foul::BallOffTable, value(ball));
         }
         foul(shot.travel.jumped_before_contact, Foul::Jump, 0);
-        let behind = self.has_free_ball && is_behind_free_ball(self.on, state, shot);
+        let applies = self.has_free_ball || kept_clear == KeptClear::AnyNominated;
+        let behind = applies && is_behind_nominated(self.on, state, shot);
         foul(behind, Foul::SnookeredByFreeBall, 0);
         (fouls, penalty)
     }
 }
 
-/// Whether the shot leaves the next player snookered by the free ball. This is allowed when only
+/// Whether the shot leaves the next player snookered by the nominated ball. This is allowed when only
 /// pink and black remain (rule 12b).
-fn is_behind_free_ball(on: On, state: &FrameState, shot: &PlayedShot<'_>) -> bool {
-    let Call::On(free) = shot.call else { return false };
-    let on = on.balls(&state.layout);
+fn is_behind_nominated(on: On, state: &FrameState, shot: &PlayedShot<'_>) -> bool {
+    let Call::On(nominated) = shot.call else { return false };
+    let on = on.after_a_miss(&state.layout).balls(&state.layout);
     let few = state.layout.on_table().filter(|ball| *ball != CUE).count() <= 2;
     let goes_on = shot.potted().next().is_some();
-    if few || goes_on || on.contains(&free) || state.layout.is_down(CUE) {
+    if few || goes_on || on.contains(&nominated) || state.layout.is_down(CUE) {
         return false;
     }
-    hidden::is_snookered_by(&state.layout, free, &on)
+    hidden::is_snookered_by(&state.layout, nominated, &on)
 }
