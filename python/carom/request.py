@@ -24,6 +24,7 @@ Choice: TypeAlias = Literal[
     "replace",
     "spot-frozen",
     "spot-nearest",
+    "play-from-anywhere",
 ]
 Group: TypeAlias = Literal["solids", "stripes"]
 

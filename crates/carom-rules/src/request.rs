@@ -44,6 +44,7 @@ state_bytes!(
         Replace,
         SpotFrozen,
         SpotNearest,
+        PlayFromAnywhere,
     }
 );
 
@@ -215,11 +216,13 @@ pub enum Choice {
     SpotFrozen,
     /// Spot the legal ball nearest to the head string, and shoot from behind the string (pool).
     SpotNearest,
+    /// Shoot, with the cue ball in hand anywhere (six-red snooker, after the fifth miss).
+    PlayFromAnywhere,
 }
 
 impl Choice {
     /// Every choice.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::PlayOn,
         Self::PlayFromHand,
         Self::PassBack,
@@ -229,6 +232,7 @@ impl Choice {
         Self::Replace,
         Self::SpotFrozen,
         Self::SpotNearest,
+        Self::PlayFromAnywhere,
     ];
 
     /// The choice's name in files and in Python.
@@ -243,6 +247,7 @@ impl Choice {
             Self::Replace => "replace",
             Self::SpotFrozen => "spot-frozen",
             Self::SpotNearest => "spot-nearest",
+            Self::PlayFromAnywhere => "play-from-anywhere",
         }
     }
 
@@ -261,6 +266,7 @@ impl Choice {
                 "have the legal ball nearest to the head string spotted, and shoot from behind the \
                  head string"
             }
+            Self::PlayFromAnywhere => "shoot with the cue ball in hand anywhere",
         }
     }
 

@@ -32,7 +32,7 @@ pub enum Foul {
     DoubleHit,
     /// The tip was still on the cue ball when it hit a ball that it had not touched before.
     PushShot,
-    /// The shot left the next player snookered by the free ball (snooker).
+    /// The shot left the next player snookered by the free ball (snooker), or by a nominated colour (six-red).
     SnookeredByFreeBall,
     /// The cue ball touched a cushion before the red in the starting shot (games of carom).
     IndirectStart,
@@ -57,7 +57,7 @@ impl Foul {
             Self::Push => "a touching ball was moved",
             Self::DoubleHit => "a double hit: the tip touched the cue ball more than once",
             Self::PushShot => "a push: the tip was still on the cue ball when it hit a ball",
-            Self::SnookeredByFreeBall => "the free ball was left in the way",
+            Self::SnookeredByFreeBall => "the nominated ball was left in the way",
             Self::IndirectStart => "the starting shot went to a cushion before the red",
             Self::OpponentsBall => "the opponent's ball was touched",
         }

@@ -55,7 +55,8 @@ export type Choice =
   | "spot-eight"
   | "replace"
   | "spot-frozen"
-  | "spot-nearest";
+  | "spot-nearest"
+  | "play-from-anywhere";
 
 /** The referee asks for a shot. */
 export interface ShotRequest {

@@ -9,6 +9,7 @@ mod innings;
 mod pool;
 pub mod practice;
 pub mod rotation;
+pub mod six_red;
 pub mod snooker;
 pub mod straight_pool;
 pub mod straight_rail;
@@ -25,7 +26,6 @@ pub(crate) use game::{GameRules, PlayedShot};
 macro_rules! game_states {
     ($($(#[$doc:meta])+ $name:ident($state:ty),)+) => {
         /// The state that only one game has.
-        #[expect(clippy::large_enum_variant, reason = "a heap would make copies of frames allocate")]
         #[derive(Clone, Copy, Debug, PartialEq)]
         pub enum GameState {
             $($(#[$doc])+ $name($state),)+
@@ -75,6 +75,8 @@ game_states! {
     StraightRail(straight_rail::StraightRail),
     /// Korean four-ball.
     FourBall(four_ball::FourBall),
+    /// Six-red snooker.
+    SixRed(six_red::SixRed),
     /// Practice.
     Practice(practice::Practice),
 }
@@ -91,6 +93,7 @@ impl GameFacts {
             Game::ThreeCushion => &three_cushion::FACTS,
             Game::StraightRail => &straight_rail::FACTS,
             Game::FourBall => &four_ball::FACTS,
+            Game::SixRed => &six_red::FACTS,
             Game::Practice => &practice::FACTS,
         }
     }

@@ -5,6 +5,7 @@ mod endings;
 mod four_ball;
 mod near_balls;
 mod rotation;
+mod six_red;
 mod snooker;
 mod straight_pool;
 mod straight_rail;

@@ -197,6 +197,20 @@ const SNOOKER: BreakPreset = BreakPreset {
     ..EIGHT_BALL
 };
 
+const SIX_RED: BreakPreset = BreakPreset {
+    game: Game::SixRed,
+    aim: (6, 1.5),
+    sources: &[
+        ("place", Estimate, "as in snooker; no source found"),
+        ("speed", Estimate, "as in snooker; no source found"),
+        ("aim", Estimate, "a quarter of the end red, as in snooker; no source found"),
+        ("side", Estimate, "as in snooker; no source found"),
+        ELEVATION,
+        TRIANGLE,
+    ],
+    ..SNOOKER
+};
+
 const THREE_CUSHION: BreakPreset = BreakPreset {
     name: "opening",
     game: Game::ThreeCushion,
@@ -269,7 +283,7 @@ pub fn break_presets() -> Node {
 
 impl BreakPreset {
     /// Every preset, by game. The first of a game is its most usual one.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         EIGHT_BALL,
         NINE_BALL_RAIL,
         NINE_BALL_BOX,
@@ -279,6 +293,7 @@ impl BreakPreset {
         SNOOKER,
         THREE_CUSHION,
         FOUR_BALL,
+        SIX_RED,
     ];
 
     /// The preset of that name.
@@ -286,7 +301,7 @@ impl BreakPreset {
     /// # Errors
     /// [`Error::Input`] that lists the presets of the game, if there is none.
     pub fn of(game: Game, name: &str) -> Result<&'static Self, Error> {
-        static ALL: [BreakPreset; 9] = BreakPreset::ALL;
+        static ALL: [BreakPreset; 10] = BreakPreset::ALL;
         let of_game = || ALL.iter().filter(move |preset| preset.game == game.opened_as());
         of_game().find(|preset| preset.name == name).ok_or_else(|| {
             let known: Vec<&str> = of_game().map(|preset| preset.name).collect();

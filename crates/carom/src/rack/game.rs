@@ -43,6 +43,9 @@ pub(super) enum Order {
     Eight,
 }
 
+/// Six balls.
+const SIX: &[usize] = &[1, 2, 3];
+
 /// Fifteen balls.
 const TRIANGLE: &[usize] = &[1, 2, 3, 4, 5];
 
@@ -56,6 +59,15 @@ const EIGHT_BALL: Equipment = Equipment {
     opened_as: None,
     break_speed: FULL_BREAK,
     break_aim: (1, 0.0),
+};
+
+const SNOOKER: Equipment = Equipment {
+    name: "snooker",
+    table: "snooker-12ft",
+    pattern: Pattern::Reds(TRIANGLE),
+    break_speed: 3.5,
+    break_aim: (15, 1.3),
+    ..EIGHT_BALL
 };
 
 const THREE_CUSHION: Equipment = Equipment {
@@ -116,14 +128,7 @@ games! {
         ..EIGHT_BALL
     };
     /// Snooker (WPBSA, section 3): fifteen reds behind the pink, and the colours on their spots.
-    Snooker = Equipment {
-        name: "snooker",
-        table: "snooker-12ft",
-        pattern: Pattern::Reds(TRIANGLE),
-        break_speed: 3.5,
-        break_aim: (15, 1.3),
-        ..EIGHT_BALL
-    };
+    Snooker = SNOOKER;
     /// Three-cushion carom (UMB): three balls.
     ThreeCushion = THREE_CUSHION;
     /// A rack of eight-ball without fouls.
@@ -142,6 +147,13 @@ games! {
         // The red at the other end, half full.
         break_aim: (3, 1.0),
         ..THREE_CUSHION
+    };
+    /// Six-red snooker (WPBSA, with six reds): a triangle of three rows behind the pink.
+    SixRed = Equipment {
+        name: "six-red",
+        pattern: Pattern::Reds(SIX),
+        break_aim: (6, 1.3),
+        ..SNOOKER
     };
 }
 

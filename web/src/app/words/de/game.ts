@@ -111,6 +111,7 @@ export const texts: Translation<typeof en.game> = {
   "choice.replace": "Kugeln zurücklegen, {opponent} stößt noch einmal",
   "choice.spot-frozen": "press liegende Kugeln aufsetzen und stoßen",
   "choice.spot-nearest": "nächste Kugel aufsetzen und hinter der Kopflinie stoßen",
+  "choice.play-from-anywhere": "mit dem Spielball in der Hand von überall spielen",
 
   "referee.scratch": "der Spielball ist gefallen",
   "referee.cue-off": "der Spielball hat den Tisch verlassen",
@@ -125,7 +126,7 @@ export const texts: Translation<typeof en.game> = {
   "referee.touching-moved": "eine press liegende Kugel wurde bewegt",
   "referee.double-hit": "ein Doppelstoß: die Pomeranze traf den Spielball mehr als einmal",
   "referee.push": "ein Durchstoß: die Pomeranze lag noch am Spielball, als er eine Kugel traf",
-  "referee.free-ball-in-way": "der Freeball verdeckt die anspielbaren Kugeln",
+  "referee.nominated-in-way": "die angesagte Kugel verdeckt die anspielbaren Kugeln",
   "referee.indirect-start": "der Anfangsstoß ging vor der Roten an eine Bande",
   "referee.opponents-ball": "die Kugel des Gegners wurde berührt",
   "referee.eight-off": "die 8 hat den Tisch verlassen",

@@ -41,5 +41,6 @@ export const texts: Translation<typeof en.presets> = {
   "game.three-cushion": "Dreiband",
   "game.straight-rail": "Freie Partie",
   "game.four-ball": "Vierball",
+  "game.six-red": "Six-Red-Snooker",
   "game.practice": "Training",
 };

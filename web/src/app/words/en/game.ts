@@ -107,6 +107,7 @@ export const texts = {
   "choice.replace": "put the balls back, {opponent} shoots again",
   "choice.spot-frozen": "spot the touching balls and shoot",
   "choice.spot-nearest": "spot the nearest ball and shoot from behind the head string",
+  "choice.play-from-anywhere": "play with the cue ball in hand anywhere",
 
   "referee.scratch": "the cue ball was pocketed",
   "referee.cue-off": "the cue ball left the table",
@@ -121,7 +122,7 @@ export const texts = {
   "referee.touching-moved": "a touching ball was moved",
   "referee.double-hit": "a double hit: the tip touched the cue ball more than once",
   "referee.push": "a push: the tip was still on the cue ball when it hit a ball",
-  "referee.free-ball-in-way": "the free ball was left in the way",
+  "referee.nominated-in-way": "the nominated ball was left in the way",
   "referee.indirect-start": "the starting shot went to a cushion before the red",
   "referee.opponents-ball": "the opponent's ball was touched",
   "referee.eight-off": "the eight was driven off the table",

@@ -39,5 +39,6 @@ export const texts = {
   "game.three-cushion": "Three-cushion",
   "game.straight-rail": "Straight rail",
   "game.four-ball": "Four-ball",
+  "game.six-red": "Six-red snooker",
   "game.practice": "Practice",
 } as const;

@@ -109,6 +109,7 @@ export const texts: Translation<typeof en.game> = {
   "choice.replace": "球复位，{opponent} 重打",
   "choice.spot-frozen": "贴住的球放回置球点再打",
   "choice.spot-nearest": "把最近的球放回置球点，从开球线后打",
+  "choice.play-from-anywhere": "把母球放在任意位置打",
 
   "referee.scratch": "母球落袋",
   "referee.cue-off": "母球飞出球台",
@@ -123,7 +124,7 @@ export const texts: Translation<typeof en.game> = {
   "referee.touching-moved": "打动了贴住的球",
   "referee.double-hit": "连击：皮头不止一次碰到母球",
   "referee.push": "推杆：母球碰球时皮头仍贴着母球",
-  "referee.free-ball-in-way": "用自由球（斯诺克）做了障碍",
+  "referee.nominated-in-way": "用指定的球做了障碍",
   "referee.indirect-start": "首杆在碰红球前碰了库",
   "referee.opponents-ball": "碰到了对手的母球",
   "referee.eight-off": "8 号球飞出球台",

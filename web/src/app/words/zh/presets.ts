@@ -41,5 +41,6 @@ export const texts: Translation<typeof en.presets> = {
   "game.three-cushion": "三库开伦",
   "game.straight-rail": "自由开伦",
   "game.four-ball": "四球开伦",
+  "game.six-red": "六红球斯诺克",
   "game.practice": "练习",
 };
