@@ -29,12 +29,13 @@ use carom_mind::value::Logistic;
 use carom_rules::{Frame, Game, GameFacts, OpeningKind, Options};
 
 /// The breaks that are shipped: games with their tables.
-const WANTED: [(Game, &[&str]); 6] = [
+const WANTED: [(Game, &[&str]); 7] = [
     (Game::EightBall, &POOL),
     (Game::NineBall, &POOL),
     (Game::TenBall, &POOL),
     (Game::StraightPool, &POOL),
     (Game::Snooker, &["snooker-12ft"]),
+    (Game::SixRed, &["snooker-12ft"]),
     (Game::ThreeCushion, &["carom-10ft"]),
 ];
 const POOL: [&str; 4] = ["wpa-9ft", "wpa-8ft", "bar-7ft", "poolfiz"];

@@ -150,7 +150,9 @@ fn check_points(facts: &GameFacts, player: Seat, points: [i32; 2], legal: bool) 
     match (facts.objective, facts.scoring) {
         (Objective::RedsAndColors, _) if !legal => assert!(mine == 0 && (4..=7).contains(&others)),
         (Objective::RedsAndColors, _) => {
-            assert!(others == 0 && (0..=facts.balls as i32 - 7).contains(&mine));
+            // All reds, or the black.
+            let most = (facts.balls as i32 - 7).max(7);
+            assert!(others == 0 && (0..=most).contains(&mine));
         }
         (Objective::Caroms { .. }, Scoring::Target { negative: true, .. }) => {
             assert!(others == 0 && (-1..=1).contains(&mine) && legal == (mine >= 0));
