@@ -54,6 +54,7 @@ pub const TABLES: &[Edition] = &[
     table("carom-9ft", "carom-9ft-2026-11", "carom-2026-11"),
     table("carom-9ft", "carom-9ft-2026-12", "carom-2026-12"),
     table("poolfiz", "poolfiz-2026-11", "poolfiz-2026-11"),
+    table("chinese-9ft", "chinese-9ft-2026-12", "pool-2026-12"),
 ];
 
 const fn physics(name: &'static str, dated: &'static str) -> Edition {

@@ -138,6 +138,10 @@ const POOLFIZ: Sheet = &[
     ("side_pocket.point_radius", Is(0.0)),
 ];
 
+/// Chinese Billiards Association, rules of eight-ball (szxjbilliards.com): 2540 by 1270 mm. Its pockets and cushions are
+/// not published.
+const CHINESE_9FT: Sheet = &[("length", Is(2.540)), ("width", Is(1.270))];
+
 /// The published figures of the table `name`. Nothing is published about `bar-7ft` and `carom-9ft`.
 pub(crate) fn sheet(name: &str) -> Sheet {
     match name {
@@ -148,6 +152,7 @@ pub(crate) fn sheet(name: &str) -> Sheet {
         "english-7ft" => ENGLISH_7FT,
         "carom-10ft" => CAROM_10FT,
         "poolfiz" => POOLFIZ,
+        "chinese-9ft" => CHINESE_9FT,
         _ => &[],
     }
 }

@@ -10,7 +10,7 @@ use crate::edition::{self, Edition};
 
 /// Names of the presets, without dates, in the order in which `carom tables` lists them.
 /// [`edition::TABLES`] also has the dated names.
-pub const PRESETS: [&str; 9] = edition::undated(edition::TABLES);
+pub const PRESETS: [&str; 10] = edition::undated(edition::TABLES);
 
 const WPA: Source = Source::RuleBook("WPA equipment specifications");
 const WPBSA: Source = Source::RuleBook("WPBSA rules of snooker, section 1");
@@ -21,6 +21,11 @@ const SHOWOOD: Source = Source::Published("pooltool 0.6.0, table 7_foot_showood"
 const PT_SNOOKER: Source = Source::Published("pooltool 0.6.0, its snooker table");
 const MATHAVAN: Source = Source::Published("Mathavan, Jackson & Parkin 2010: h = 7R/5, R 26.25 mm");
 const FASTFIZ: Source = Source::Published("FastFiz 0.2, FastFiz.h");
+const CBSA: Source =
+    Source::Published("Chinese Billiards Association, rules of eight-ball, szxjbilliards.com");
+const IN_THE_TRADE: Source = Source::Estimated(
+    "dealers give about 82 to 85 mm for corners, 86 to 90 mm for sides; none found to cite",
+);
 const BEHIND_THE_LINE: Source = Source::Estimated("behind the mouth line, never reached");
 const UNREGULATED: Source = Source::Estimated("the rule book leaves it open");
 const LIKE_WPA: Source = Source::Estimated("as on the WPA's tables");
@@ -276,6 +281,41 @@ const POOLFIZ: Sheet = Sheet {
     physics: "poolfiz",
 };
 
+/// Diameter of a pool ball, 2¼ in, over that of a snooker ball, 52.5 mm.
+const POOL_TO_SNOOKER: f64 = 2.25 * INCH / 0.0525;
+
+/// The table of heyball: "snooker-style pockets and steel block cushions" (billiardsboutique.com, 2016), so cushions and
+/// jaws are those of a snooker table in proportion to the ball. The rules of August 2017 (9ballpool.co.uk) have the same
+/// head string and foot spot, and a width of 1260 ± 9 mm.
+const CHINESE_9FT: Sheet = Sheet {
+    length: figure(2.54, CBSA),
+    width: figure(1.27, CBSA),
+    cushion_height: figure(0.03675 * POOL_TO_SNOOKER, LIKE_SNOOKER),
+    cushion_width: figure(0.04763 * POOL_TO_SNOOKER, LIKE_SNOOKER),
+    rail_width: inches(6.0, LIKE_WPA),
+    pockets: Some([
+        PocketSheet {
+            mouth: figure(0.084, IN_THE_TRADE),
+            cut_angle_deg: figure(135.0, LIKE_SNOOKER),
+            shelf: figure(0.01852 * POOL_TO_SNOOKER, LIKE_SNOOKER),
+            hole_radius: figure(0.0889 * POOL_TO_SNOOKER, LIKE_SNOOKER),
+            point_radius: figure(0.0889 * POOL_TO_SNOOKER, LIKE_SNOOKER),
+            throat: None,
+        },
+        PocketSheet {
+            mouth: figure(0.088, IN_THE_TRADE),
+            cut_angle_deg: figure(90.0, LIKE_SNOOKER),
+            shelf: figure(-0.0016 * POOL_TO_SNOOKER, LIKE_SNOOKER),
+            hole_radius: figure(0.05319 * POOL_TO_SNOOKER, LIKE_SNOOKER),
+            point_radius: figure(0.0669 * POOL_TO_SNOOKER, LIKE_SNOOKER),
+            throat: None,
+        },
+    ]),
+    head_string: Some(figure(0.45, CBSA)),
+    sight_setback: Some(inches(3.6875, DRAWN)),
+    ..WPA_9FT
+};
+
 /// The figures of the preset `name`, which may have a date. The editions have the same figures so far;
 /// they differ in their physics.
 pub(super) fn sheet(name: &str) -> Option<&'static Sheet> {
@@ -289,6 +329,7 @@ pub(super) fn sheet(name: &str) -> Option<&'static Sheet> {
         "carom-10ft" => Some(&CAROM_10FT),
         "carom-9ft" => Some(&CAROM_9FT),
         "poolfiz" => Some(&POOLFIZ),
+        "chinese-9ft" => Some(&CHINESE_9FT),
         _ => None,
     }
 }

@@ -248,6 +248,35 @@ fn the_english_table_keeps_the_wepf_limits_and_pockets_of_1_6_balls() {
     assert!((baulk - 0.2 * table.size.y).abs() <= SAME_POINT);
 }
 
+#[test]
+fn the_chinese_table_keeps_its_rules_and_has_the_jaws_of_snooker_in_proportion() {
+    let table = Table::preset("chinese-9ft").unwrap();
+    assert_eq!((table.size.y, table.size.x), (2.54, 1.27));
+    let markings = &table.description.as_ref().unwrap().markings;
+    assert_eq!(markings.head_string, Some(0.45));
+    let foot = markings.spots.iter().find(|spot| spot.name == "foot").unwrap();
+    assert!((table.size.y - foot.position[1] - 0.635).abs() <= SAME_POINT);
+    // Mouths of 1.4 to 1.6 balls: narrower than on tables of pool, where they have two.
+    for pocket in &table.pockets {
+        let [a, b] = pocket.mouth;
+        let balls = (a - b).length() / (2.25 * INCH);
+        assert!(within(balls, 1.4, 1.6), "{balls}");
+    }
+    let snooker = Table::preset("snooker-12ft").unwrap();
+    let radii = |table: &Table| -> Vec<f64> {
+        let jaws = table.cushions.iter().filter(|part| is_cushion(part));
+        jaws.filter_map(|part| {
+            if let Shape::Arc { radius, .. } = part.shape { Some(radius) } else { None }
+        })
+        .collect()
+    };
+    let (own, of_snooker) = (radii(&table), radii(&snooker));
+    assert_eq!(own.len(), of_snooker.len());
+    for (own, other) in own.iter().zip(of_snooker) {
+        assert!((own / (2.25 * INCH) - other / 0.0525).abs() < 1e-9, "{own} {other}");
+    }
+}
+
 /// Whether a part is made of rubber.
 fn is_cushion(part: &CushionPart) -> bool {
     !matches!(part.part, Part::Liner | Part::Top)

@@ -51,5 +51,6 @@ export const texts: PhotoTexts = {
   "table.english-7ft": "英式台球，7 尺",
   "table.carom-10ft": "开伦台球，10 尺",
   "table.carom-9ft": "开伦台球，9 尺",
+  "table.chinese-9ft": "中式八球台，9 尺",
   "table.poolfiz": "Poolfiz",
 };

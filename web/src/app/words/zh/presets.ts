@@ -23,6 +23,7 @@ export const texts: Translation<typeof en.presets> = {
   "preset.english-7ft": "英式台球，7 尺",
   "preset.carom-10ft": "开伦，10 尺",
   "preset.carom-9ft": "开伦，9 尺",
+  "preset.chinese-9ft": "中式八球，9 尺",
   "preset.dated": "{name}，{month}",
   "preset.earlier": "以前的数值",
 
