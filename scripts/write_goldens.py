@@ -1,5 +1,4 @@
-"""Rewrite the goldens: event counts and hashes of shots, noisy variants, random games, decisions,
-environments.
+"""Rewrite the goldens: shots, noisy variants, random games, decisions and environments.
 
     python scripts/write_goldens.py
 
@@ -269,11 +268,15 @@ def _call(frame: carom.Frame, chance: random.Random) -> carom.Call | None:
 def _place(
     frame: carom.Frame, chance: random.Random, strike: carom.Strike, call: carom.Call | None
 ) -> list[float]:
-    """A free place for the cue ball that is behind every head string and in every D."""
+    """A free place for the cue ball in its region, in the middle of the table's width."""
+    bounds = frame.hand_bounds
+    assert bounds is not None
     while True:
         x, y = chance.uniform(0.61, 0.66), chance.uniform(0.5, 0.6)
         if frame.request["in_hand"] == "the-d":
             x, y = x + 0.25, y + 0.13
+        if y > bounds[1][1]:
+            y -= 0.2
         try:
             frame.shot(strike, cue_ball=(x, y), call=call)
         except carom.InputError:

@@ -43,6 +43,17 @@ pub(crate) const FACTS: GameFacts = GameFacts {
     state: || GameState::EightBall(EightBall::default()),
 };
 
+/// What differs between games with the groups of eight-ball.
+#[derive(Clone, Copy)]
+pub(super) struct Style {
+    /// The calls of every shot but the break.
+    pub(super) calls: Calls,
+    /// Whether the opponent may play the balls as they lie after a foul on the break.
+    pub(super) may_play_on: bool,
+}
+
+const STYLE: Style = Style { calls: Calls::REQUIRED, may_play_on: true };
+
 /// A rack of eight-ball.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct EightBall {
@@ -73,8 +84,17 @@ impl EightBall {
         }
     }
 
-    fn next(&self, state: &FrameState, seat: Seat, hand: Option<Region>) -> Request {
-        pool::shot(state, seat, hand, self.balls_on(&state.layout, seat), Calls::REQUIRED)
+    fn next(&self, style: Style, state: &FrameState, seat: Seat, hand: Option<Region>) -> Request {
+        pool::shot(state, seat, hand, self.balls_on(&state.layout, seat), style.calls)
+    }
+
+    /// The group of which the shooter has pocketed a ball. Without calls this is the group of the first ball hit.
+    fn scored(style: Style, shot: &PlayedShot<'_>) -> Option<Group> {
+        if style.calls.required {
+            return shot.made().and_then(Group::of);
+        }
+        let hit = shot.first_contact().and_then(Group::of);
+        hit.filter(|group| shot.potted().any(|ball| Group::of(ball) == Some(*group)))
     }
 
     /// On an open table with one group gone: whether the first ball hit contradicts the call. A
@@ -92,8 +112,8 @@ impl EightBall {
     }
 
     /// The end of the rack, once the eight is off the table (WPA 3.8). The shooter wins if the
-    /// eight was on, called, and pocketed by a legal shot.
-    fn end(state: &FrameState, shot: &PlayedShot<'_>) -> Request {
+    /// eight was on, called where calls are required, and pocketed by a legal shot.
+    fn end(style: Style, state: &FrameState, shot: &PlayedShot<'_>) -> Request {
         let lost = |why| Request::won(shot.opponent(), why);
         if shot.pocket_of(EIGHT).is_none() {
             lost("the eight was driven off the table")
@@ -101,7 +121,7 @@ impl EightBall {
             lost("the eight was pocketed with a foul")
         } else if !shot.turn.on.contains(&EIGHT) {
             lost("the eight was pocketed before the group was cleared")
-        } else if shot.made() != Some(EIGHT) {
+        } else if style.calls.required && shot.made() != Some(EIGHT) {
             lost("the eight was pocketed in an uncalled pocket")
         } else {
             Request::won(shot.seat(), "the eight was pocketed")
@@ -109,7 +129,12 @@ impl EightBall {
     }
 
     /// Rules on the break (WPA 3.3).
-    fn judge_break(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
+    fn judge_break(
+        &mut self,
+        style: Style,
+        state: &mut FrameState,
+        shot: &PlayedShot<'_>,
+    ) -> Request {
         let (seat, opponent) = (shot.seat(), shot.opponent());
         let fouled = !state.ruling.is_legal();
         let eight = [Choice::SpotEight, Choice::Rebreak];
@@ -127,11 +152,11 @@ impl EightBall {
         let soft = !potted && shot.balls_driven() < BALLS_TO_RAIL;
         state.ruling.fouls.add_if(soft, Foul::SoftBreak);
         if !fouled && !soft {
-            return self.next(state, if potted { seat } else { opponent }, None);
+            return self.next(style, state, if potted { seat } else { opponent }, None);
         }
         let nearest = pool::nearest_behind(state, &self.balls_on(&state.layout, opponent));
         let choices: Choices = [
-            (!shot.lost_cue_ball(), Choice::PlayOn),
+            (!shot.lost_cue_ball() && (style.may_play_on || !fouled), Choice::PlayOn),
             (fouled, Choice::PlayFromHand),
             (fouled && nearest.is_some(), Choice::SpotNearest),
             (soft, Choice::Rebreak),
@@ -143,10 +168,77 @@ impl EightBall {
         // After a scratch there is nothing to choose: the cue ball is in hand behind the head
         // string.
         if let [only] = choices[..] {
-            return self.choose(state, opponent, only);
+            return self.choose_with(style, state, opponent, only);
         }
         let why = if soft { "too few balls were driven to a rail" } else { "a foul on the break" };
         Request::choice(opponent, &choices, why)
+    }
+
+    /// Continues from given places, as [`GameRules::resume`].
+    pub(super) fn resume_with(&mut self, style: Style, state: &FrameState, seat: Seat) -> Request {
+        *self = Self::default();
+        self.next(style, state, seat, None)
+    }
+
+    /// Rules on a shot, as [`GameRules::judge`].
+    pub(super) fn judge_with(
+        &mut self,
+        style: Style,
+        state: &mut FrameState,
+        shot: &PlayedShot<'_>,
+    ) -> Request {
+        state.ruling.fouls = pool::standard_fouls(shot);
+        let from_behind = pool::HeadStringShot::of(state, shot);
+        state.ruling.fouls.add_if(from_behind.is_foul(), Foul::BehindHeadString);
+        state.ruling.fouls.add_if(self.is_against_call(shot), Foul::WrongBallFirst);
+        if core::mem::take(&mut self.is_break) {
+            return self.judge_break(style, state, shot);
+        }
+        let (seat, opponent) = (shot.seat(), shot.opponent());
+        if state.layout.is_down(EIGHT) {
+            return Self::end(style, state, shot);
+        }
+        if !state.ruling.is_legal() {
+            return self.next(style, state, opponent, Some(Region::Anywhere));
+        }
+        let group = Self::scored(style, shot);
+        if self.solids_of.is_none() {
+            self.solids_of = group.map(|g| if g == Group::Solids { seat } else { opponent });
+        }
+        let scored = group.is_some() && group == self.group(seat);
+        self.next(style, state, if scored { seat } else { opponent }, None)
+    }
+
+    /// Applies a choice, as [`GameRules::choose`].
+    pub(super) fn choose_with(
+        &mut self,
+        style: Style,
+        state: &mut FrameState,
+        seat: Seat,
+        choice: Choice,
+    ) -> Request {
+        let hand = Some(Region::BehindHeadString);
+        match choice {
+            Choice::Rebreak | Choice::RebreakByOther => {
+                state.rack();
+                let breaker = if choice == Choice::Rebreak { seat } else { seat::opponent(seat) };
+                self.start(state, breaker)
+            }
+            Choice::SpotEight => {
+                pool::spot(state, EIGHT);
+                // The player who did not break chooses after a foul only (WPA 3.3f).
+                self.next(style, state, seat, hand.filter(|_| seat != self.breaker))
+            }
+            Choice::SpotNearest => {
+                let on = self.balls_on(&state.layout, seat);
+                if let Some(nearest) = pool::nearest_behind(state, &on) {
+                    pool::spot(state, nearest);
+                }
+                self.next(style, state, seat, hand)
+            }
+            Choice::PlayFromHand => self.next(style, state, seat, hand),
+            _ => self.next(style, state, seat, None),
+        }
     }
 }
 
@@ -161,8 +253,7 @@ impl GameRules for EightBall {
     }
 
     fn resume(&mut self, state: &FrameState, seat: Seat) -> Request {
-        *self = Self::default();
-        self.next(state, seat, None)
+        self.resume_with(STYLE, state, seat)
     }
 
     fn missing(&self, places: &[Option<[f64; 2]>]) -> Option<String> {
@@ -170,51 +261,11 @@ impl GameRules for EightBall {
     }
 
     fn judge(&mut self, state: &mut FrameState, shot: &PlayedShot<'_>) -> Request {
-        state.ruling.fouls = pool::standard_fouls(shot);
-        let from_behind = pool::HeadStringShot::of(state, shot);
-        state.ruling.fouls.add_if(from_behind.is_foul(), Foul::BehindHeadString);
-        state.ruling.fouls.add_if(self.is_against_call(shot), Foul::WrongBallFirst);
-        if core::mem::take(&mut self.is_break) {
-            return self.judge_break(state, shot);
-        }
-        let (seat, opponent) = (shot.seat(), shot.opponent());
-        if state.layout.is_down(EIGHT) {
-            return Self::end(state, shot);
-        }
-        if !state.ruling.is_legal() {
-            return self.next(state, opponent, Some(Region::Anywhere));
-        }
-        let group = shot.made().and_then(Group::of);
-        if self.solids_of.is_none() {
-            self.solids_of = group.map(|g| if g == Group::Solids { seat } else { opponent });
-        }
-        let scored = group.is_some() && group == self.group(seat);
-        self.next(state, if scored { seat } else { opponent }, None)
+        self.judge_with(STYLE, state, shot)
     }
 
     fn choose(&mut self, state: &mut FrameState, seat: Seat, choice: Choice) -> Request {
-        let hand = Some(Region::BehindHeadString);
-        match choice {
-            Choice::Rebreak | Choice::RebreakByOther => {
-                state.rack();
-                let breaker = if choice == Choice::Rebreak { seat } else { seat::opponent(seat) };
-                self.start(state, breaker)
-            }
-            Choice::SpotEight => {
-                pool::spot(state, EIGHT);
-                // The player who did not break chooses after a foul only (WPA 3.3f).
-                self.next(state, seat, hand.filter(|_| seat != self.breaker))
-            }
-            Choice::SpotNearest => {
-                let on = self.balls_on(&state.layout, seat);
-                if let Some(nearest) = pool::nearest_behind(state, &on) {
-                    pool::spot(state, nearest);
-                }
-                self.next(state, seat, hand)
-            }
-            Choice::PlayFromHand => self.next(state, seat, hand),
-            _ => self.next(state, seat, None),
-        }
+        self.choose_with(STYLE, state, seat, choice)
     }
 
     fn group(&self, seat: Seat) -> Option<Group> {

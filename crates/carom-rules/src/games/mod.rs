@@ -5,6 +5,7 @@ mod facts;
 pub mod four_ball;
 mod game;
 mod group;
+pub mod heyball;
 mod innings;
 mod pool;
 pub mod practice;
@@ -77,6 +78,8 @@ game_states! {
     FourBall(four_ball::FourBall),
     /// Six-red snooker.
     SixRed(six_red::SixRed),
+    /// Heyball.
+    Heyball(heyball::Heyball),
     /// Practice.
     Practice(practice::Practice),
 }
@@ -94,6 +97,7 @@ impl GameFacts {
             Game::StraightRail => &straight_rail::FACTS,
             Game::FourBall => &four_ball::FACTS,
             Game::SixRed => &six_red::FACTS,
+            Game::Heyball => &heyball::FACTS,
             Game::Practice => &practice::FACTS,
         }
     }

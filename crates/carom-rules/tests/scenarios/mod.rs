@@ -3,6 +3,7 @@
 mod eight_ball;
 mod endings;
 mod four_ball;
+mod heyball;
 mod near_balls;
 mod rotation;
 mod six_red;

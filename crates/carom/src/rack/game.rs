@@ -155,6 +155,13 @@ games! {
         break_aim: (6, 1.3),
         ..SNOOKER
     };
+    /// Heyball, Chinese eight-ball: the rack and the break of eight-ball, on its own table.
+    Heyball = Equipment {
+        name: "heyball",
+        table: "chinese-9ft",
+        opened_as: Some(Game::EightBall),
+        ..EIGHT_BALL
+    };
 }
 
 impl Game {

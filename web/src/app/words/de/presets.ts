@@ -43,5 +43,6 @@ export const texts: Translation<typeof en.presets> = {
   "game.straight-rail": "Freie Partie",
   "game.four-ball": "Vierball",
   "game.six-red": "Six-Red-Snooker",
+  "game.heyball": "Heyball",
   "game.practice": "Training",
 };

@@ -41,5 +41,6 @@ export const texts = {
   "game.straight-rail": "Straight rail",
   "game.four-ball": "Four-ball",
   "game.six-red": "Six-red snooker",
+  "game.heyball": "Heyball",
   "game.practice": "Practice",
 } as const;
