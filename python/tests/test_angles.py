@@ -29,6 +29,13 @@ def as_file(**strike: float) -> dict[str, Any]:
     return {**file, "strike": {"ball": "cue", "speed": 2.0, **strike}}
 
 
+def swept(shot: Shot, azimuth: dict[str, Any], **spec: Any) -> carom.Sweep:
+    vary = {"strike.azimuth": azimuth}
+    return carom.Sweep.from_dict(
+        {"format": "carom-sweep/1", "shots": shot.to_dict(), "vary": vary, **spec}
+    )
+
+
 # Seen: Strike(2.0, 90.0) played at 116.6° silently.
 SILENT: dict[str, Callable[[Shot], object]] = {
     "a strike": lambda shot: Strike(2.0, 90.0),
@@ -38,6 +45,11 @@ SILENT: dict[str, Callable[[Shot], object]] = {
     "a table of banks": lambda shot: shot.bank_table("1", azimuth=90.0),
     "a dict": lambda shot: Shot("wpa-9ft", BALLS, {"speed": 2.0, "azimuth": 90}),
     "a shot file": lambda shot: Shot.from_dict(as_file(azimuth=90.0)),
+    "a grid of a sweep": lambda shot: swept(shot, {"grid": [0, 90]}),
+    "steps of a sweep": lambda shot: swept(shot, {"from": 0, "to": 90, "count": 3}),
+    "a draw of a sweep": lambda shot: swept(shot, {"uniform": [0, 90]}, samples=4),
+    "a mean of a sweep": lambda shot: swept(shot, {"normal": [90, 1]}, samples=4),
+    "a range for solve": lambda shot: shot.solve(pot="1", azimuth=(80, 90), n=9, samples=16),
     "a play": lambda shot: carom.Frame("nine-ball").play({"speed": 2.0, "azimuth": -90.0}),
 }
 
@@ -67,6 +79,7 @@ def test_no_angle_within_a_turn_and_none_in_degrees_warns(shot: Shot) -> None:
         shot.batch(azimuth_deg=[0.0, 359.0])
         shot.kick_table(azimuth_deg=[0.0, 359.0], speed=2.0, side=0.0)
         Shot.from_dict(as_file(azimuth_deg=359.0))
+        swept(shot, {"grid": [0, 6.28]})
 
 
 def test_the_warning_can_be_made_an_error() -> None:

@@ -4,7 +4,10 @@ from __future__ import annotations
 
 import copy
 import math
+import os
 import re
+import subprocess
+import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
@@ -399,6 +402,20 @@ def test_a_users_matplotlibrc_changes_no_picture(
         assert list(pictures(nine_ball)) == as_by_default
         kept = {key: matplotlib.rcParams[key] for key in settings}
     assert kept == settings, "the user's own settings stay"
+
+
+# Seen: MPLBACKEND=nonsense made every picture a bug of carom.
+@pytest.mark.parametrize(("named", "kept"), [("nonsense", False), ("svg", True)])
+def test_pictures_need_no_valid_backend_and_keep_a_valid_one(named: str, kept: bool) -> None:
+    code = (
+        "import carom.picture, matplotlib, os\n"
+        "print(matplotlib.get_backend() == os.environ['MPLBACKEND'])"
+    )
+    env = {**os.environ, "MPLBACKEND": named}
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=env, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.strip() == str(kept)
 
 
 @pytest.fixture(scope="module")

@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 import traceback
+import warnings
 from typing import NoReturn
 
 import typer
@@ -88,7 +89,13 @@ def run() -> NoReturn:
             stream.reconfigure(errors="replace")
     if sys.stdout is not None:
         sys.stdout = whole(sys.stdout, STDOUT)
+    warnings.showwarning = _show_warning
     sys.exit(_run())
+
+
+def _show_warning(message: Warning | str, *_where: object, **_more: object) -> None:
+    """Print a warning as a sentence. Where in carom's code it arose is of no use to its reader."""
+    say(str(message))
 
 
 def _run() -> int:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 from carom import _core
-from carom.arguments import number, numbers, thread_count, whole
+from carom.arguments import angles, number, numbers, thread_count, warn_of_degrees, whole
 from carom.batch import VARIABLES
 from carom.deprecated import renamed_arguments, renamed_attribute
 from carom.errors import InputError
@@ -96,6 +96,7 @@ def solve(
     offset: float = 0.45,
     elevation: float | tuple[float, float] | None = None,
     azimuth: tuple[float, float] | None = None,
+    azimuth_deg: tuple[float, float] | None = None,
     butt: tuple[Sequence[float], Sequence[float]] | None = None,
     samples: int = 4096,
     seed: int = 0,
@@ -132,6 +133,7 @@ def solve(
             greatest, is a limit of every strike: one that would be lower is raised.
         azimuth: First and last azimuth, rad, counter-clockwise, to which the cue can turn:
             ``(-0.2, 0.2)`` and ``(6.08, 0.2)`` are the same range. None is every azimuth.
+        azimuth_deg: The same in degrees, in place of ``azimuth``.
         butt: Two opposite corners ``((x, y), (x, y))`` of the rectangle, m, in which the end of the
             butt must be, 1.47 m behind the tip (``Shot.cue_pose``). None has no limit.
         samples: Number of strikes spread over the whole range.
@@ -145,6 +147,10 @@ def solve(
             a number is out of range or is not a range.
     """
     struck = core_of(shot)
+    degrees = None if azimuth_deg is None else numbers("azimuth_deg", azimuth_deg, 2)
+    turns = angles("azimuth", azimuth, degrees)
+    if degrees is None:
+        warn_of_degrees("azimuth", turns)
     goal = Goal(
         None if pot is None else target(shot, pot),
         None if leave is None else _disc(leave),
@@ -164,7 +170,7 @@ def solve(
         samples,
         wanted,
         per_route,
-        azimuth_reach=azimuth,
+        azimuth_reach=turns,
         elevation_reach=reach,
         butt=butt,
     )

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any, Literal
 
 from carom import _core
+from carom.arguments import warn_of_degrees
 from carom.errors import InputError
 from carom.noise import Noise
 from carom.shot import Shot
@@ -411,7 +412,18 @@ def _parameter(place: str, path: str, how: Any) -> Parameter:
         raise InputError(
             "conflict", f"{place}.relative", what, f"write strike.{', strike.'.join(STRIKE)}"
         )
+    if path == "strike.azimuth" and parameter.kind == "number":
+        warn_of_degrees(place, _largest(parameter))
     return parameter
+
+
+def _largest(parameter: Parameter) -> list[float]:
+    """Numbers that bound those of a parameter; of a normal distribution its mean."""
+    if isinstance(parameter, Grid):
+        return list(parameter.values if parameter.steps is None else parameter.steps[:2])
+    if parameter.distribution == "normal":
+        return list(parameter.a)
+    return [*parameter.a, *parameter.b, *parameter.values]
 
 
 def _how(place: str, path: str, name: str, relative: bool, found: dict[str, Any]) -> Parameter:
