@@ -128,7 +128,10 @@ fn a_small_budget_plays_the_known_break_itself() {
         let frame = new_frame(game, None);
         // The opening of a game without a stored one is searched in every rack.
         let Some((entry, fit)) = found(&frame, &Noise::olympiad(1.0)) else { continue };
-        assert_eq!(fit, Fit::Same);
+        // The break of another game may have been searched on that game's table.
+        if game.table() == game.opened_as().table() {
+            assert_eq!(fit, Fit::Same, "{}", game.name());
+        }
         let decision = decide(&frame, &Budget::simulations(20), SEARCHED);
         let own = entry.shot.play(&frame).expect("a play");
         assert_eq!(decision.answer, Answer::Play(own), "{}", game.name());
