@@ -2,41 +2,33 @@
 
 import { h, uniqueId } from "../common/dom.ts";
 import { nameOfPath, title } from "../common/parameter-names.ts";
+import { type Coefficient, inKind, type Kind, kindLabel, kinds } from "./kinds.ts";
 import {
-  type Coefficient,
-  inKind,
-  type Kind,
-  kindLabel,
-  kindOf,
-  kinds,
-  quantityOf,
-} from "./kinds.ts";
-import {
-  isChanged,
   label,
+  type Parameter,
   parameters,
-  QUANTITY,
+  type Part,
   quantitySchema,
   valueAt,
-  withoutValue,
-  withValue,
-  writtenPath,
-  type Parameter,
-  type Part,
   type Values,
+  writtenPath,
 } from "./parameters.ts";
+import {
+  changesWith,
+  type FormValues,
+  grouped,
+  type Quantity,
+  rowKind,
+  rowValue,
+  valueOf,
+} from "./row-values.ts";
 import type { Store } from "../document/store.ts";
-import { round } from "../common/units.ts";
 import { capital, named, t } from "../words/translate.ts";
 
 /** The values that a form shows and changes. */
 export interface Subject {
   readonly part: Part;
-  /** The present values, and those of the preset that the changes start from. */
-  readonly now: () => Values;
-  readonly base: () => Values;
-  /** The changes in the shot file, with their `base`. */
-  readonly changes: () => Values;
+  readonly values: () => FormValues;
   /** Writes the changes to the shot file. @returns Whether they were accepted. */
   readonly write: (changes: Values, path: readonly string[]) => boolean;
   /** The engine's coefficient of a quantity at a middle speed or angle; null if none depends on them. */
@@ -45,9 +37,6 @@ export interface Subject {
   readonly open: readonly string[];
 }
 
-/** Decimals shown: lengths to a micrometre, without the rounding errors of binary fractions. */
-const DIGITS = 6;
-
 /** @returns A function that updates the form to the present values. */
 export function mountParameters(
   root: HTMLElement,
@@ -55,39 +44,41 @@ export function mountParameters(
   schema: object,
   subject: Subject,
 ): () => void {
-  const { part } = subject;
-  let shown = "";
-  /** Whether a group is open, by its key: it stays so when its rows change. */
-  const open = new Map<string, boolean>();
-  /** Whether the rows are being replaced: a focused field that is removed loses the focus, and shows again. */
-  let isReplacing = false;
+  const form = new ParameterForm(root, store, schema, subject);
+  return () => form.show();
+}
 
-  function set(path: readonly string[], value: unknown): boolean {
-    const [own, now] = [subject.changes(), subject.now()];
-    const written = writtenPath(now, path);
-    const next =
-      written.length < path.length ? valueAt(withValue(now, path, value), written) : value;
-    const same = text(valueAt(subject.base(), written)) === text(next);
-    return subject.write(same ? withoutValue(own, written) : withValue(own, written, next), path);
+class ParameterForm {
+  readonly #root: HTMLElement;
+  readonly #store: Store;
+  readonly #schema: object;
+  readonly #subject: Subject;
+  /** The paths and kinds of the rows that are shown. */
+  #shown = "";
+  /** Whether a group is open, by its key: it stays so when its rows change. */
+  readonly #open = new Map<string, boolean>();
+  /** Whether the rows are being replaced: a focused field that is removed loses the focus, and shows again. */
+  #isReplacing = false;
+
+  constructor(root: HTMLElement, store: Store, schema: object, subject: Subject) {
+    this.#root = root;
+    this.#store = store;
+    this.#schema = schema;
+    this.#subject = subject;
   }
 
-  function show(): void {
-    if (isReplacing) return;
-    const now = subject.now();
-    const found = parameters(schema, part, now);
-    const key = JSON.stringify(found.map(({ path, kind }) => [path, kind]));
-    if (key !== shown) {
-      shown = key;
-      for (const group of root.querySelectorAll<HTMLDetailsElement>("details[data-group]"))
-        open.set(group.dataset.group!, group.open);
-      isReplacing = true;
-      root.replaceChildren(...groups(found));
-      isReplacing = false;
-    }
-    const [base, changes] = [subject.base(), subject.changes()];
+  #set(path: readonly string[], value: unknown): boolean {
+    return this.#subject.write(changesWith(this.#subject.values(), path, value), path);
+  }
+
+  show(): void {
+    if (this.#isReplacing) return;
+    const values = this.#subject.values();
+    const found = parameters(this.#schema, this.#subject.part, values.now);
+    this.#showRows(found);
     for (const { path } of found) {
-      const input = root.querySelector<Control>(`[data-path="${path.join(".")}"]`)!;
-      const value = text(valueAt(now, path));
+      const input = this.#root.querySelector<Control>(`[data-path="${path.join(".")}"]`)!;
+      const [value, isChanged] = rowValue(values, path);
       // Do not overwrite a number while the user types it.
       if (
         input.value !== value &&
@@ -95,94 +86,71 @@ export function mountParameters(
       ) {
         input.value = value;
       }
-      const row = input.closest(".parameter")!;
-      row.toggleAttribute("data-changed", isChanged(changes, base, path));
+      mark(input, isChanged);
     }
-    for (const select of root.querySelectorAll<HTMLSelectElement>("select[data-kind]")) {
-      const path = select.dataset.kind!.split(".");
-      const [kind, usual] = [kindOf(valueAt(now, path)), kindOf(valueAt(base, path))];
+    for (const select of this.#root.querySelectorAll<HTMLSelectElement>("select[data-kind]")) {
+      const [kind, isChanged] = rowKind(values, select.dataset.kind!.split("."));
       select.value = kind ?? "";
-      select.closest(".parameter")!.toggleAttribute("data-changed", kind !== usual);
+      mark(select, isChanged);
     }
   }
 
+  /** Replaces the rows if there are other parameters than before. */
+  #showRows(found: readonly Parameter[]): void {
+    const key = JSON.stringify(found.map(({ path, kind }) => [path, kind]));
+    if (key === this.#shown) return;
+    this.#shown = key;
+    for (const group of this.#root.querySelectorAll<HTMLDetailsElement>("details[data-group]"))
+      this.#open.set(group.dataset.group!, group.open);
+    this.#isReplacing = true;
+    this.#root.replaceChildren(...this.#groups(found));
+    this.#isReplacing = false;
+  }
+
   /** Single values first, then one collapsible group per object. */
-  function groups(found: readonly Parameter[]): HTMLElement[] {
-    const single = found.filter(({ path }) => path.length === 1);
-    const keys = [
-      ...new Set(found.filter(({ path }) => path.length > 1).map(({ path }) => path[0]!)),
-    ];
+  #groups(found: readonly Parameter[]): HTMLElement[] {
+    const { single, groups } = grouped(found);
     return [
-      ...single.map((parameter) => row(parameter)),
-      ...keys.map((key) =>
+      ...single.map((parameter) => this.#row(parameter)),
+      ...groups.map(([key, quantities]) =>
         h(
           "details",
-          { open: open.get(key) ?? subject.open.includes(key), "data-group": key },
+          { open: this.#open.get(key) ?? this.#subject.open.includes(key), "data-group": key },
           h("summary", {}, title(key)),
-          ...entries(found.filter(({ path }) => path.length > 1 && path[0] === key)),
+          ...quantities.flatMap((quantity) => this.#quantity(quantity)),
         ),
       ),
     ];
   }
 
-  /** The rows of a group. Those of a fit or of a list are below its name and formula. */
-  function entries(found: readonly Parameter[]): HTMLElement[] {
-    return [...new Set(found.map(({ path }) => path[QUANTITY - 1]!))].flatMap((key) => {
-      const same = found.filter(({ path }) => path[QUANTITY - 1] === key);
-      const { quantity } = same[0]!;
-      const path = quantityOf(same[0]!);
-      const control = kindRow(path);
-      if (quantity === "") {
-        const only = same.map((parameter) => row(parameter));
-        if (!control) return only;
-        const group = { class: "quantity", role: "group", "aria-label": title(key) };
-        return h("div", group, ...only, control);
-      }
-      // The bands of a list have the same hints: they are shown once, and read aloud for each.
-      const shown = new Set<string>();
-      const rows = same.map((parameter) => {
-        const again = shown.has(parameter.description);
-        shown.add(parameter.description);
-        return row(parameter, again);
-      });
-      const name = h("h3", { id: uniqueId("quantity") }, title(key));
-      return h(
-        "div",
-        { class: "quantity", role: "group", "aria-labelledby": name.id },
-        name,
-        h("p", { class: "hint" }, quantity),
-        ...rows,
-        control,
-      );
-    });
+  /** The rows of a quantity. Those of a fit or of a list are below its name and formula. */
+  #quantity({ path, hint, rows }: Quantity): HTMLElement | HTMLElement[] {
+    const control = this.#kindRow(path);
+    const shown = rows.map(({ parameter, isHintRepeated }) => this.#row(parameter, isHintRepeated));
+    if (hint === "" && !control) return shown;
+    const key = title(path.at(-1)!);
+    const group = { class: "quantity", role: "group" };
+    if (hint === "") return h("div", { ...group, "aria-label": key }, ...shown, control);
+    const name = h("h3", { id: uniqueId("quantity") }, key);
+    const below = [h("p", { class: "hint" }, hint), ...shown, control];
+    return h("div", { ...group, "aria-labelledby": name.id }, name, ...below);
   }
 
   /** The control that chooses between a number and numbers by speed; null if there is no choice. */
-  function kindRow(path: readonly string[]): HTMLElement | null {
-    const { coefficient } = subject;
-    const quantity = quantitySchema(schema, part, path);
-    const choices = kinds(quantity, valueAt(subject.now(), path));
+  #kindRow(path: readonly string[]): HTMLElement | null {
+    const { coefficient, part, values } = this.#subject;
+    const quantity = quantitySchema(this.#schema, part, path);
+    const choices = kinds(quantity, valueAt(values().now, path));
     if (!coefficient || !quantity || choices.length === 0) return null;
     const options = choices.map((kind) => h("option", { value: kind }, kindLabel(quantity, kind)));
     const id = uniqueId("kind");
     const select = h("select", { id, "data-kind": path.join(".") }, ...options);
-    const write = (value: unknown) => {
-      // A step of its own for undo, after that of a number that is being typed.
-      store.settle();
-      set(path, value);
-      store.settle();
-      show();
-      // The rows of the group are new ones.
-      root.querySelector<HTMLSelectElement>(`[data-kind="${path.join(".")}"]`)?.focus();
-    };
     select.addEventListener("change", () => {
-      const values = { now: subject.now(), base: subject.base() };
-      write(inKind([path, quantity], select.value as Kind, values, coefficient));
+      const kind = select.value as Kind;
+      this.#writeKind(path, inKind([path, quantity], kind, values(), coefficient));
     });
     const label = t("parameter.reset-kind", { name: nameOfPath(path) });
-    const reset = () => {
-      write(valueAt(subject.base(), path));
-    };
+    const reset = () => this.#writeKind(path, valueAt(values().base, path));
     return h(
       "div",
       { class: "parameter" },
@@ -191,31 +159,27 @@ export function mountParameters(
     );
   }
 
-  function row(parameter: Parameter, hintAgain = false): HTMLElement {
+  #writeKind(path: readonly string[], value: unknown): void {
+    // A step of its own for undo, after that of a number that is being typed.
+    this.#store.settle();
+    this.#set(path, value);
+    this.#store.settle();
+    this.show();
+    // The rows of the group are new ones.
+    this.#root.querySelector<HTMLSelectElement>(`[data-kind="${path.join(".")}"]`)?.focus();
+  }
+
+  #row(parameter: Parameter, isHintRepeated = false): HTMLElement {
     const { path, description, unit } = parameter;
-    const input = control(parameter);
-    input.id = uniqueId("parameter");
-    input.setAttribute("aria-describedby", `${input.id}-hint`);
-    const refused = (is: boolean) => {
-      input.setAttribute("aria-invalid", String(is));
-    };
-    input.addEventListener("change", () => {
-      const value = valueOf(parameter, input.value);
-      if (value === null)
-        store.refuse(t("field.not-a-number", { name: capital(nameOfPath(path)) }));
-      refused(value === null || !set(path, value));
-    });
-    input.addEventListener("blur", () => {
-      refused(false);
-      store.settle();
-      show();
-    });
+    const input = this.#input(parameter);
     const reset = () => {
-      const written = writtenPath(subject.now(), path);
-      set(written, valueAt(subject.base(), written));
-      store.settle();
+      const { now, base } = this.#subject.values();
+      const written = writtenPath(now, path);
+      this.#set(written, valueAt(base, written));
+      this.#store.settle();
     };
-    const name = nameOfPath(path);
+    // Repeated hints are not shown, but read aloud.
+    const hint = isHintRepeated ? "hint unseen" : "hint";
     return h(
       "div",
       { class: "parameter" },
@@ -225,13 +189,37 @@ export function mountParameters(
         { class: "row" },
         input,
         h("span", { class: "unit" }, unit === "deg" ? "°" : unit),
-        back(t("parameter.reset-named", { name }), reset),
+        back(t("parameter.reset-named", { name: nameOfPath(path) }), reset),
       ),
-      h("p", { class: hintAgain ? "hint unseen" : "hint", id: `${input.id}-hint` }, description),
+      h("p", { class: hint, id: `${input.id}-hint` }, description),
     );
   }
 
-  return show;
+  /** The field of a parameter. It is invalid until it loses the focus if its value is refused. */
+  #input(parameter: Parameter): Control {
+    const { path } = parameter;
+    const input = control(parameter);
+    input.id = uniqueId("parameter");
+    input.setAttribute("aria-describedby", `${input.id}-hint`);
+    const setRefused = (is: boolean) => input.setAttribute("aria-invalid", String(is));
+    input.addEventListener("change", () => {
+      const value = valueOf(parameter, input.value);
+      if (value === null)
+        this.#store.refuse(t("field.not-a-number", { name: capital(nameOfPath(path)) }));
+      setRefused(value === null || !this.#set(path, value));
+    });
+    input.addEventListener("blur", () => {
+      setRefused(false);
+      this.#store.settle();
+      this.show();
+    });
+    return input;
+  }
+}
+
+/** Marks the row of a field as changed. */
+function mark(field: Control, isChanged: boolean): void {
+  field.closest(".parameter")!.toggleAttribute("data-changed", isChanged);
 }
 
 /** A button that resets a value. */
@@ -264,18 +252,4 @@ function control({ path, kind, choices }: Parameter): Control {
 /** A choice in words; a model named after its paper has its author and year. */
 function choiceLabel(name: string): string {
   return named("choice-of", name) ?? capital(name.replaceAll("-", " "));
-}
-
-/** The value for the file; null if the text is not a number. */
-function valueOf({ kind }: Parameter, written: string): string | number | null {
-  if (kind === "choice") return written;
-  const number = written.trim() === "" ? NaN : Number(written);
-  return Number.isNaN(number) ? null : number;
-}
-
-/** A value of the file as text. */
-function text(value: unknown): string {
-  if (typeof value === "number") return String(round(value, DIGITS));
-  if (value === undefined) return "";
-  return typeof value === "string" ? value : JSON.stringify(value);
 }

@@ -1,5 +1,6 @@
 /** The table: its preset and its dimensions. */
 
+import type { Engine, Geometry } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, uniqueId } from "../common/dom.ts";
 import { nameOfPath } from "../common/parameter-names.ts";
@@ -19,24 +20,12 @@ export function mountTable(root: HTMLElement, store: Store, { engine }: Context)
     engine.tables.flatMap((table) => (table.name ? [[table.name, table]] : [])),
   );
   const own = h("option", { value: "" }, t("layout.own-table"));
-  const select = h(
-    "select",
-    { id: uniqueId("control") },
-    own,
-    ...presetOptions([...presets.keys()]),
-  );
-  select.addEventListener("change", () => {
-    if (select.value === "" || !changeTable(store, engine, select.value)) show();
-  });
+  const options = presetOptions([...presets.keys()]);
+  const select = h("select", { id: uniqueId("control") }, own, ...options);
+  const reset = () => changeTable(store, engine, baseName());
   const back = h(
     "button",
-    {
-      type: "button",
-      class: "button",
-      onclick: () => {
-        changeTable(store, engine, baseName());
-      },
-    },
+    { type: "button", class: "button", onclick: reset },
     t("layout.reset-all"),
   );
   const form = h("div");
@@ -53,24 +42,49 @@ export function mountTable(root: HTMLElement, store: Store, { engine }: Context)
     h("div", { class: "labelled" }, h("label", { for: select.id }, t("layout.table")), select),
     dimensions,
   );
-
-  const changes = (): Values => {
-    const { table } = store.document.shot;
-    return typeof table === "string" ? { base: table } : table;
-  };
   const baseName = (): string => {
-    const { base } = changes();
+    const { base } = changesOf(store);
     return typeof base === "string" ? engine.currentPresetName(base) : "";
   };
-  const preset = () => presets.get(baseName());
-  const showForm = mountParameters(form, store, engine.schema("shot"), {
+  const showForm = mountForm(form, store, engine, () => presets.get(baseName()));
+
+  function show(): void {
+    const { table } = store.document.shot;
+    own.hidden = baseName() !== "";
+    select.value = baseName();
+    back.hidden = typeof table === "string" || baseName() === "";
+    dimensions.hidden = !store.shot.geometry.dimensions;
+    showForm();
+  }
+  select.addEventListener("change", () => {
+    if (select.value === "" || !changeTable(store, engine, select.value)) show();
+  });
+  store.subscribe((now, before) => {
+    if (now.document.shot !== before.document.shot) show();
+  });
+  show();
+}
+
+/** The changes of the shot's table, with their `base`. */
+function changesOf(store: Store): Values {
+  const { table } = store.document.shot;
+  return typeof table === "string" ? { base: table } : table;
+}
+
+/** @param preset The table that the changes start from. */
+function mountForm(
+  form: HTMLElement,
+  store: Store,
+  engine: Engine,
+  preset: () => Geometry | undefined,
+): () => void {
+  return mountParameters(form, store, engine.schema("shot"), {
     part: "table",
-    now: () => tableValues(store.shot.geometry),
-    base: () => {
+    values: () => {
       const geometry = preset();
-      return geometry ? tableValues(geometry) : {};
+      const base = geometry ? tableValues(geometry) : {};
+      return { now: tableValues(store.shot.geometry), base, changes: changesOf(store) };
     },
-    changes,
     write: (next, path) => {
       const { geometry } = store.shot;
       const whole = SIZES.includes(path[0]!) ? withMarkings(next, geometry, preset()) : next;
@@ -87,17 +101,4 @@ export function mountTable(root: HTMLElement, store: Store, { engine }: Context)
     coefficient: null,
     open: [],
   });
-
-  function show(): void {
-    const { table } = store.document.shot;
-    own.hidden = baseName() !== "";
-    select.value = baseName();
-    back.hidden = typeof table === "string" || baseName() === "";
-    dimensions.hidden = !store.shot.geometry.dimensions;
-    showForm();
-  }
-  store.subscribe((now, before) => {
-    if (now.document.shot !== before.document.shot) show();
-  });
-  show();
 }

@@ -176,11 +176,13 @@ function mountNumbers(root: HTMLElement, store: Store, source: FilePhysics): () 
   );
   const showForm = mountParameters(form, store, engine.schema("shot"), {
     part: "physics",
-    now: () => source.values,
-    base: () => source.baseValues,
-    changes: () => ({
-      ...source.changes,
-      ...(source.named === TABLES_OWN ? {} : { base: source.named }),
+    values: () => ({
+      now: source.values,
+      base: source.baseValues,
+      changes: {
+        ...source.changes,
+        ...(source.named === TABLES_OWN ? {} : { base: source.named }),
+      },
     }),
     write: (physics, path) =>
       store.apply(
