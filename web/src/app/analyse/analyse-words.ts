@@ -4,6 +4,7 @@ import type { Recommendation, Strike } from "../../engine/index.ts";
 import { powerWord } from "../aim/power-bar.ts";
 import { ballName, pocketName } from "../common/shot-words.ts";
 import { TIP } from "../common/units.ts";
+import { interval } from "./plan-orders.ts";
 import { capital, decimal, named, paragraph, t } from "../words/translate.ts";
 
 /** Tip offset of half a tip, ball radii. */
@@ -184,4 +185,16 @@ function partText(
       return t("why.position-spread", { ...values, ...spreads });
     }
   }
+}
+
+/** The best chance of a zone for the next ball. */
+export function zoneText(next: string, best: number): string {
+  const ball = ballName(next);
+  return best > 0 ? t("next.zone", { ball, best: percent(best) }) : t("next.none", { ball });
+}
+
+/** The chance of a plan of `count` balls that was met in some of its runs. */
+export function planText(count: number, met: number, runs: number): string {
+  const [low, high] = interval(met, runs).map(percent) as [string, string];
+  return t("plan.total", { count, chance: percent(met / runs), low, high, runs });
 }

@@ -1,6 +1,6 @@
 /** The part of the panel that looks ahead: the zone for the next ball, and a plan of three balls. */
 
-import type { BallInfo } from "../../engine/index.ts";
+import type { BallInfo, Engine } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
 import { changeUnpressed } from "../common/press.ts";
@@ -12,9 +12,9 @@ import { after, estimate, placeOf } from "./desk/desk-layout.ts";
 import DeskWorker from "./desk/desk-worker.ts?worker&inline";
 import { ellipseAround } from "./leave-picture.ts";
 import { noiseOf, positionOf } from "./analysed-position.ts";
-import { interval, ordersOf } from "./plan-orders.ts";
+import { considered, ordersOf } from "./plan-orders.ts";
 import { resultButton, showShot } from "./result-preview.ts";
-import { percent, strikeText } from "./analyse-words.ts";
+import { percent, planText, strikeText, zoneText } from "./analyse-words.ts";
 import { capital, t } from "../words/translate.ts";
 
 /** Time (ms) without a change after which the zone is computed again. */
@@ -26,9 +26,6 @@ const BALLS = 3;
 /** How often a plan is played: the standard error of a chance of one half is then 6 %. */
 const RUNS = 64;
 
-/** Balls that a proposal considers: the easiest ones. */
-const CONSIDERED = 6;
-
 const STOP = "#8fe3ff";
 
 export function mountNext(root: HTMLElement, store: Store, context: Context): void {
@@ -37,7 +34,6 @@ export function mountNext(root: HTMLElement, store: Store, context: Context): vo
 }
 
 function mountZone(root: HTMLElement, store: Store, context: Context): void {
-  const desk = new Desk(() => new DeskWorker(), context.engine);
   const ball = h("select", { id: uniqueId("next-ball") });
   const status = h("p", { class: "hint", id: "zone-status", role: "status" });
   root.append(
@@ -45,54 +41,12 @@ function mountZone(root: HTMLElement, store: Store, context: Context): void {
     h("div", { class: "row" }, h("label", { for: ball.id }, t("next.ball")), ball),
     status,
   );
-  let timer: ReturnType<typeof setTimeout> | undefined;
-
-  function ask(): void {
-    clearTimeout(timer);
-    const next = ball.value;
-    const isShown = next !== "" && store.session.activity === "analyse";
-    if (!isShown || store.session.mode === "replay") {
-      desk.cancel();
-      if (!isShown && store.session.analysis.zone) store.setPart("analysis", { zone: null });
-      setText(status, isShown ? status.textContent : t("next.hint"));
-      return;
-    }
-    timer = setTimeout(() => {
-      const { trace } = store.ghost;
-      const { shot } = store.document;
-      // The table on which the next ball is played.
-      const left = (trace && after(shot, trace)) ?? shot;
-      const file = placeOf(left, next) ? left : shot;
-      const noise = noiseOf(context.engine, store.state);
-      setText(status, t("next.searching"));
-      desk.ask(
-        { kind: "zone", shot: JSON.stringify(file), ball: next, noise },
-        {
-          part: ({ columns, rows, values, share }) => {
-            // The colours show square roots, which are for counts: fourth powers make good places stand out.
-            store.setPart("analysis", {
-              zone: { columns, rows, values: values.map((value) => value ** 4) },
-            });
-            const best = Math.max(...values);
-            if (share === 1)
-              setText(
-                status,
-                best > 0
-                  ? t("next.zone", { ball: ballName(next), best: percent(best) })
-                  : t("next.none", { ball: ballName(next) }),
-              );
-          },
-          refused: (message) => setText(status, message),
-        },
-      );
-    }, REST);
-  }
-
+  const zone = new Zone(ball, status, store, context.engine);
   const follow = (): void => {
     fill(ball, objectBalls(store), t("next.off"));
-    ask();
+    zone.ask();
   };
-  ball.addEventListener("change", ask);
+  ball.addEventListener("change", () => zone.ask());
   store.subscribe((now, before) => {
     const isSame =
       now.document === before.document &&
@@ -104,11 +58,85 @@ function mountZone(root: HTMLElement, store: Store, context: Context): void {
   follow();
 }
 
+/** The zone from which the chosen ball can be potted. */
+class Zone {
+  readonly #ball: HTMLSelectElement;
+  readonly #status: HTMLElement;
+  readonly #store: Store;
+  readonly #engine: Engine;
+  readonly #desk: Desk;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(ball: HTMLSelectElement, status: HTMLElement, store: Store, engine: Engine) {
+    this.#ball = ball;
+    this.#status = status;
+    this.#store = store;
+    this.#engine = engine;
+    this.#desk = new Desk(() => new DeskWorker(), engine);
+  }
+
+  /** Waits until the position rests, and then searches the zone. */
+  ask(): void {
+    clearTimeout(this.#timer);
+    const { activity, mode, analysis } = this.#store.session;
+    const isShown = this.#ball.value !== "" && activity === "analyse";
+    if (isShown && mode !== "replay") {
+      const next = this.#ball.value;
+      this.#timer = setTimeout(() => this.#search(next), REST);
+      return;
+    }
+    this.#desk.cancel();
+    if (!isShown && analysis.zone) this.#store.setPart("analysis", { zone: null });
+    if (!isShown) setText(this.#status, t("next.hint"));
+  }
+
+  #search(next: string): void {
+    const { trace } = this.#store.ghost;
+    const { shot } = this.#store.document;
+    // The table on which the next ball is played.
+    const left = (trace && after(shot, trace)) ?? shot;
+    const file = placeOf(left, next) ? left : shot;
+    const noise = noiseOf(this.#engine, this.#store.state);
+    setText(this.#status, t("next.searching"));
+    this.#desk.ask(
+      { kind: "zone", shot: JSON.stringify(file), ball: next, noise },
+      {
+        part: ({ columns, rows, values, share }) => {
+          // The colours show square roots, which are for counts: fourth powers make good places stand out.
+          this.#store.setPart("analysis", {
+            zone: { columns, rows, values: values.map((value) => value ** 4) },
+          });
+          if (share === 1) setText(this.#status, zoneText(next, Math.max(...values)));
+        },
+        refused: (message) => setText(this.#status, message),
+      },
+    );
+  }
+}
+
 function mountPlan(root: HTMLElement, store: Store, context: Context): void {
-  const { engine } = context;
-  const desk = new Desk(() => new DeskWorker(), engine);
-  const chosen = Array.from({ length: BALLS }, () => h("select", { id: uniqueId("plan-ball") }));
-  const rows = chosen.map((select, k) =>
+  const planner = new Planner(root, store, context.engine);
+  store.subscribe((now, before) => {
+    const isSame =
+      now.document.shot.balls === before.document.shot.balls &&
+      now.document.game === before.document.game &&
+      now.document.noise === before.document.noise &&
+      now.session.analysis.level === before.session.analysis.level;
+    if (!isSame) planner.clear();
+    else if (now.session.orientation !== before.session.orientation) planner.showAgain();
+  });
+  planner.clear();
+}
+
+/** The plan of some balls, and its settings. */
+class Planner {
+  readonly #store: Store;
+  readonly #engine: Engine;
+  readonly #desk: Desk;
+  readonly #chosen = Array.from({ length: BALLS }, () =>
+    h("select", { id: uniqueId("plan-ball") }),
+  );
+  readonly #rows = this.#chosen.map((select, k) =>
     h(
       "div",
       { class: "labelled" },
@@ -116,138 +144,119 @@ function mountPlan(root: HTMLElement, store: Store, context: Context): void {
       select,
     ),
   );
-  const go = h("button", { type: "button", class: "button", id: "plan" }, t("plan.plan"));
-  const list = h("ol", { class: "lines", id: "plan-legs", "aria-label": t("plan.title") });
-  const status = h("p", {
+  readonly #go = h("button", { type: "button", class: "button", id: "plan" }, t("plan.plan"));
+  readonly #list = h("ol", { class: "lines", id: "plan-legs", "aria-label": t("plan.title") });
+  readonly #status = h("p", {
     class: "hint",
     id: "plan-status",
     role: "status",
     "aria-live": "polite",
   });
-  root.append(
-    h("h2", {}, t("plan.title")),
-    h("div", { class: "thirds" }, ...rows),
-    h("div", { class: "row" }, go),
-    list,
-    status,
-  );
+  #shown: readonly Leg[] = [];
 
-  let shown: readonly Leg[] = [];
-
-  function showLegs(legs: readonly Leg[]): void {
-    shown = legs;
-    changeUnpressed(list, () => list.replaceChildren(...legs.map(legItem)));
+  constructor(root: HTMLElement, store: Store, engine: Engine) {
+    this.#store = store;
+    this.#engine = engine;
+    this.#desk = new Desk(() => new DeskWorker(), engine);
+    this.#go.addEventListener("click", () => this.#plan());
+    root.append(
+      h("h2", {}, t("plan.title")),
+      h("div", { class: "thirds" }, ...this.#rows),
+      h("div", { class: "row" }, this.#go),
+      this.#list,
+      this.#status,
+    );
   }
 
-  store.subscribe((now, before) => {
-    if (now.session.orientation !== before.session.orientation) showLegs(shown);
-  });
-
-  function clear(): void {
-    desk.cancel();
-    showLegs([]);
-    setText(status, t("plan.hint"));
-    chosen.forEach((select) => fill(select, objectBalls(store), t("plan.any")));
-    const few = objectBalls(store).length;
-    rows.forEach((row, k) => (row.hidden = k >= few));
-    go.disabled = few === 0;
+  clear(): void {
+    this.#desk.cancel();
+    this.#show([]);
+    setText(this.#status, t("plan.hint"));
+    const balls = objectBalls(this.#store);
+    this.#chosen.forEach((select) => fill(select, balls, t("plan.any")));
+    this.#rows.forEach((row, k) => (row.hidden = k >= balls.length));
+    this.#go.disabled = balls.length === 0;
   }
 
-  go.addEventListener("click", () => {
-    const job = jobOf();
+  /** Shows the plan as the picture now names its pockets. */
+  showAgain(): void {
+    this.#show(this.#shown);
+  }
+
+  #show(legs: readonly Leg[]): void {
+    this.#shown = legs;
+    changeUnpressed(this.#list, () =>
+      this.#list.replaceChildren(...legs.map((leg) => legItem(this.#store, this.#engine, leg))),
+    );
+  }
+
+  #plan(): void {
+    const job = this.#job();
     if (!job) {
-      setText(status, t("plan.no-order"));
+      setText(this.#status, t("plan.no-order"));
       return;
     }
-    showLegs([]);
-    setText(status, t("plan.searching"));
-    desk.ask(job, {
+    this.#show([]);
+    setText(this.#status, t("plan.searching"));
+    this.#desk.ask(job, {
       part: ({ legs, met, count }) => {
-        if (legs.length !== shown.length) showLegs(legs);
-        if (count > 0) {
-          const [low, high] = interval(met, count).map(percent) as [string, string];
-          setText(
-            status,
-            t("plan.total", {
-              count: legs.length,
-              chance: percent(met / count),
-              low,
-              high,
-              runs: count,
-            }),
-          );
-        }
+        if (legs.length !== this.#shown.length) this.#show(legs);
+        if (count > 0) setText(this.#status, planText(legs.length, met, count));
       },
       done: () => {
-        list.dataset.done = "true";
-        if (shown.length < job.length) setText(status, t("plan.none"));
+        this.#list.dataset.done = "true";
+        if (this.#shown.length < job.length) setText(this.#status, t("plan.none"));
       },
-      refused: (message) => setText(status, message),
+      refused: (message) => setText(this.#status, message),
     });
-    delete list.dataset.done;
-  });
+    delete this.#list.dataset.done;
+  }
 
-  function jobOf(): PlanJob | null {
-    const noise = noiseOf(engine, store.state);
-    const { shot, document } = store;
+  #job(): PlanJob | null {
+    const noise = noiseOf(this.#engine, this.#store.state);
+    const { shot, document } = this.#store;
     const cue = placeOf(document.shot, document.shot.strike.ball);
-    const all = objectBalls(store);
-    const wanted = chosen.filter((_, k) => k < all.length).map(({ value }) => value || null);
+    const all = objectBalls(this.#store);
+    const wanted = this.#chosen.slice(0, all.length).map(({ value }) => value || null);
     const ease = (id: string) => {
       const at = placeOf(document.shot, id);
       return cue && at ? estimate(shot, cue, at, noise) : 0;
     };
-    const rules = positionOf(store, engine)?.rules ?? null;
-    const objective = rules === null ? null : engine.gameFacts[rules]!.objective;
-    const easiest =
-      objective === "lowest-first"
-        ? all
-        : [...all]
-            .sort((a, b) => ease(b) - ease(a))
-            .filter((id, k) => k < CONSIDERED || wanted.includes(id));
-    const orders = ordersOf(easiest, wanted, objective);
+    const rules = positionOf(this.#store, this.#engine)?.rules ?? null;
+    const objective = rules === null ? null : this.#engine.gameFacts[rules]!.objective;
+    const orders = ordersOf(considered(all, wanted, objective, ease), wanted, objective);
     const length = orders[0]?.length ?? 0;
     if (length === 0) return null;
     return { kind: "plan", shot: JSON.stringify(document.shot), orders, length, noise, runs: RUNS };
   }
+}
 
-  function legItem(leg: Leg): HTMLElement {
-    const { ball, pocket, strike, chance } = leg;
-    const show = () => {
-      const outline = ellipseAround(leg.stops);
-      showShot(store, engine.shot(leg.shot), outline ? [{ outline, color: STOP }] : []);
-    };
-    const names = { ball: ballName(ball), pocket: pocketName(pocket) };
-    return h(
-      "li",
-      {},
-      resultButton(
-        store,
-        { take: () => store.apply({ shot: leg.shot }, t("change.plan", names)), show },
+function legItem(store: Store, engine: Engine, leg: Leg): HTMLElement {
+  const { ball, pocket, strike, chance } = leg;
+  const show = () => {
+    const outline = ellipseAround(leg.stops);
+    showShot(store, engine.shot(leg.shot), outline ? [{ outline, color: STOP }] : []);
+  };
+  const names = { ball: ballName(ball), pocket: pocketName(pocket) };
+  return h(
+    "li",
+    {},
+    resultButton(
+      store,
+      { take: () => store.apply({ shot: leg.shot }, t("change.plan", names)), show },
+      h(
+        "span",
+        { class: "said" },
+        h("strong", {}, capital(t("lines.pot", names))),
+        h("span", { class: "hint" }, strikeText(strike)),
         h(
           "span",
-          { class: "said" },
-          h("strong", {}, capital(t("lines.pot", names))),
-          h("span", { class: "hint" }, strikeText(strike)),
-          h(
-            "span",
-            { class: "facts" },
-            h("span", {}, `${t("lines.pot-chance")} `, h("b", {}, percent(chance))),
-          ),
+          { class: "facts" },
+          h("span", {}, `${t("lines.pot-chance")} `, h("b", {}, percent(chance))),
         ),
       ),
-    );
-  }
-
-  store.subscribe((now, before) => {
-    const isSame =
-      now.document.shot.balls === before.document.shot.balls &&
-      now.document.game === before.document.game &&
-      now.document.noise === before.document.noise &&
-      now.session.analysis.level === before.session.analysis.level;
-    if (!isSame) clear();
-  });
-  clear();
+    ),
+  );
 }
 
 /** The balls of the layout that can be potted, by their ids. */

@@ -2,6 +2,9 @@
 
 import type { GameFacts } from "../../engine/index.ts";
 
+/** Balls that a proposal considers: the easiest ones. */
+const CONSIDERED = 6;
+
 /** A 95 % interval of a chance: Wilson's. */
 export function interval(met: number, count: number): readonly [number, number] {
   const z = 1.96;
@@ -10,6 +13,22 @@ export function interval(met: number, count: number): readonly [number, number] 
   const half =
     (z * Math.sqrt((p * (1 - p)) / count + (z / (2 * count)) ** 2)) / (1 + z ** 2 / count);
   return [Math.max(0, middle - half), Math.min(1, middle + half)];
+}
+
+/**
+ * The balls from which a plan is made: the easiest ones and those that are wanted, or all if the lowest
+ * comes first.
+ */
+export function considered(
+  balls: readonly string[],
+  wanted: readonly (string | null)[],
+  objective: GameFacts["objective"] | null,
+  ease: (ball: string) => number,
+): readonly string[] {
+  if (objective === "lowest-first") return balls;
+  return [...balls]
+    .sort((a, b) => ease(b) - ease(a))
+    .filter((id, k) => k < CONSIDERED || wanted.includes(id));
 }
 
 /**

@@ -2,8 +2,10 @@ import { describe, expect, test } from "vitest";
 import {
   recommendationText,
   partsOf,
+  planText,
   strikeText,
   whyText,
+  zoneText,
 } from "../../../src/app/analyse/analyse-words.ts";
 import { pot } from "./recommendation.ts";
 
@@ -79,5 +81,20 @@ describe("the reason why a line is better", () => {
     expect(whyText(pot({ kept: 0.81, error: 0.02 }), pot({ error: 0.02 }), [1, 2])).toMatch(
       /^Shots 1 and 2 are too close to tell/,
     );
+  });
+});
+
+describe("a look ahead in words", () => {
+  test("has the best chance of the zone, or says that there is none", () => {
+    expect(zoneText("9", 0.42)).toMatch(/ball 9.*42 %/i);
+    expect(zoneText("9", 0)).not.toMatch(/%/);
+  });
+
+  test("has the chance of a plan between its bounds", () => {
+    const [chance, low, high] = planText(3, 30, 100)
+      .match(/\d+(?= %)/g)!
+      .map(Number);
+    expect([chance, low, high]).toEqual([30, 22, 40]);
+    expect(planText(3, 30, 100)).toMatch(/100/);
   });
 });

@@ -3,7 +3,7 @@ import { load, type PocketName, type ShotFile } from "../../../src/engine/index.
 import { Desk, type DeskWorker } from "../../../src/app/analyse/desk/desk-client.ts";
 import type { ChancePart, Job, Parts } from "../../../src/app/analyse/desk/desk-protocol.ts";
 import { within } from "../../../src/app/analyse/desk/desk-layout.ts";
-import { interval, ordersOf } from "../../../src/app/analyse/plan-orders.ts";
+import { considered, interval, ordersOf } from "../../../src/app/analyse/plan-orders.ts";
 import { type DeskPort, serveDesk, steps } from "../../../src/app/analyse/desk/desk-server.ts";
 
 const engine = await load();
@@ -205,6 +205,18 @@ test("orders agree with the game and with the balls that were chosen", () => {
   ]);
   expect(ordersOf(["1", "2", "3"], any, "any-ball").length).toBe(6);
   expect(ordersOf(["1", "2"], ["1", "1"], null)).toEqual([]);
+});
+
+test("a plan considers the six easiest balls, those that are wanted, and all if the lowest comes first", () => {
+  const balls = ["1", "2", "3", "4", "5", "6", "7", "9"];
+  const ease = (id: string) => Number(id);
+  const any = [null, null, null];
+  expect(considered(balls, any, "any-ball", ease)).toEqual(["9", "7", "6", "5", "4", "3"]);
+  expect(considered(balls, ["1", null, null], null, ease)).toEqual([
+    ...["9", "7", "6", "5", "4", "3"],
+    "1",
+  ]);
+  expect(considered(balls, any, "lowest-first", ease)).toEqual(balls);
 });
 
 test("the interval of a chance is Wilson's", () => {
