@@ -13,6 +13,8 @@ import pytest
 from carom.env import settings
 
 TREE = ast.parse(inspect.getsource(settings))
+#: How a sentence names the default.
+DEFAULT = re.compile(r"The\s+default\s+is\s+``(.+?)``")
 CLASSES = {node.name: node for node in TREE.body if isinstance(node, ast.ClassDef)}
 
 
@@ -40,12 +42,14 @@ def test_every_setting_has_a_type_a_sentence_and_a_check() -> None:
     assert list(types) == list(WRITTEN) == list(settings._CHECKS)
     # A setting may be None, or its sentence has the default.
     for name, sentence in WRITTEN.items():
-        assert ("Default: ``" in sentence) != ("None" in types[name].__forward_arg__), name
+        assert bool(DEFAULT.search(sentence)) != ("None" in types[name].__forward_arg__), name
+        # Sphinx would read what stands before a colon as the type.
+        assert ":" not in sentence.splitlines()[0], name
 
 
 @pytest.mark.parametrize("task", ["potting", "nine-ball", "sum-to-three"])
 def test_the_written_defaults_are_those_of_rust(task: str) -> None:
-    found = {name: re.search(r"Default:\s+``(.+?)``", text) for name, text in WRITTEN.items()}
+    found = {name: DEFAULT.search(text) for name, text in WRITTEN.items()}
     defaults: dict[str, Any] = {
         name: ast.literal_eval(match.group(1)) for name, match in found.items() if match
     }

@@ -62,86 +62,89 @@ class Rewards:
             object.__setattr__(self, field.name, value)
 
 
-#: A table or physics as in a shot; a list has one for each environment of a vector.
-_Setup = Table | Physics | str | Mapping[str, Any]
+_Table = Table | str | Mapping[str, Any]
+_Physics = Physics | str | Mapping[str, Any]
 
 
 class MatchSettings(TypedDict, total=False):
     """Settings of all environments. Each is a keyword of its own and may be left out.
 
-    Rust has the defaults (``Config::of`` in carom-env); None always stands for the default.
+    Rust has the defaults (``Config::of`` in carom-env).
     """
 
     noise: Noise | None
-    """Execution noise of every strike, the opponent's too, unless it is a level of strength. None:
-    no noise."""
+    """Execution noise of every strike, the opponent's too, unless it is a level of strength. None
+    means no noise."""
     aim: Literal["absolute", "relative"]
-    """``absolute``: the first action is the cue's direction, −1 to 1 for −π to π. ``relative``:
-    the first action is the point where the cue ball meets the nearest ball on, from that ball's
-    right edge (−1) to its left edge (1). Default: ``"absolute"``."""
+    """With ``absolute`` the first action is the cue's direction, −1 to 1 for −π to π. With
+    ``relative`` it is the point where the cue ball meets the nearest ball on, from that ball's
+    right edge (−1) to its left edge (1). The default is ``"absolute"``."""
     speed: tuple[float, float]
-    """Least and largest speed of the cue, m/s. Default: ``(0.2, 8.0)``."""
+    """Least and largest speed of the cue, m/s. The default is ``(0.2, 8.0)``."""
     max_elevation: float
     """Largest elevation of the cue, rad. The default elevation of a strike is the least, also where
-    it is larger than this. Default: ``0.5``."""
+    it is larger than this. The default is ``0.5``."""
     balls: int | tuple[int, int] | None
     """Number of object balls that are placed at random at the start, or the least and the most. In
     potting None is 1. In the games None is a rack; otherwise the game begins in the middle, with
     equal scores. In snooker these are the reds, and the colours are on their spots; carom games
-    have all of theirs; sum-to-three has none."""
+    have all of theirs; sum-to-three always begins in the same way."""
     target_ball: Literal["any", "lowest"]
-    """In potting, the ball to pot. Default: ``"any"``."""
-    table: _Setup | Sequence[_Setup | None] | None
-    """As in a shot. A list gives every environment of a vector its own. None: the task's own."""
-    physics: _Setup | Sequence[_Setup | None] | None
-    """As in a shot. A list gives every environment of a vector its own. None: the table's own."""
+    """In potting, the ball to pot. The default is ``"any"``."""
+    table: _Table | Sequence[_Table | None] | None
+    """As in a shot. A list gives every environment of a vector its own. None means the task's
+    own."""
+    physics: _Physics | Sequence[_Physics | None] | None
+    """As in a shot. A list gives every environment of a vector its own. None means the table's
+    own."""
     randomize: Mapping[str, Any] | None
-    """Numbers that every episode draws from its seed: keys of the physics, such as
-    ``cloth.rolling_friction``, or of the table, such as ``table.cushion_height``, with a law.
+    """Numbers that every episode draws from its seed. The keys are those of the physics, such as
+    ``cloth.rolling_friction``, or of the table, such as ``table.cushion_height``; each has a law.
     ``(low, high)`` is uniform; ``{"log_uniform": (low, high)}``, ``{"normal": (mean, deviation)}``
     and ``{"choice": numbers}`` are the others. A draw with which no table or physics can exist is
     repeated. ``info["randomized"]`` reports them. None: nothing is drawn."""
     points: int | None
-    """Points that win. None: the game's ``usual_points`` (``carom.game_facts()``), in sum-to-three
-    10."""
+    """Points that win. None means the game's ``usual_points`` (``carom.game_facts()``), in
+    sum-to-three 10."""
     patience: int
-    """Number of shots without progress after which the frame is a stalemate. Default: ``100``."""
+    """Number of shots without progress after which the frame is a stalemate. The default is
+    ``100``."""
     rewards: Rewards | None
-    """The rewards of a shot. None: the task's own."""
+    """The rewards of a shot. None means the task's own."""
     max_episode_steps: int | None
-    """Steps after which an episode is truncated. None: no limit."""
+    """Steps after which an episode is truncated. None means no limit."""
     traces: bool
     """Whether ``info["traces"]`` has the traces of a step's shots. They are simulated for it once
-    more. Default: ``False``."""
+    more. The default is ``False``."""
     threads: int | None
-    """Number of threads. Results do not depend on it. None: one per core; a single environment has
-    one by default."""
+    """Number of threads. Results do not depend on it. None means one per core; a single environment
+    has one by default."""
 
 
 class Settings(MatchSettings, total=False):
     """Settings of environments with one agent: those of :class:`MatchSettings`, and these."""
 
     opponent: str | Callable[[Any], Any] | OpponentPlayer
-    """The second player: ``none``, ``random``, ``potter``, or in a game a built-in player
+    """The second player. It is ``none``, ``random``, ``potter``, or in a game a built-in player
     (``carom.players()`` lists them), such as ``level-2``. Settings and a number of simulated shots
     for each decision may follow, as in ``carom[shift=false]:500``; a player that is not a level has
     200 without a number. A level strikes with its own noise. Or an opponent of one's own: a
     function from observations, shape (k, size), to actions, shape (k, action size), or an object
     with ``choose(situation)`` (``carom.Situation``), which returns a ``carom.Play``, a
-    ``carom.Decision``, the name of a choice, or ``"concede"``. Default: ``"none"``."""
+    ``carom.Decision``, the name of a choice, or ``"concede"``. The default is ``"none"``."""
     seat: int | Literal["random", "alternate"]
-    """The agent's seat, if it has an opponent: 0 (it begins), 1, ``random`` (drawn for every
+    """The agent's seat, if it has an opponent. It is 0 (it begins), 1, ``random`` (drawn for every
     episode) or ``alternate`` (0 in the first episode of a seed, then 1, and so on).
-    Default: ``0``."""
+    The default is ``0``."""
 
 
 class VectorSettings(Settings, total=False):
     """Settings of vectors: those of :class:`Settings`, and this one."""
 
     autoreset_mode: Literal["same-step", "next-step", "disabled"] | AutoresetMode
-    """When the next episode begins: ``same-step``, ``next-step`` or ``disabled`` (then
+    """When the next episode begins. It is ``same-step``, ``next-step`` or ``disabled`` (then
     ``reset(options={"reset_mask": ...})`` begins it), or Gymnasium's ``AutoresetMode``.
-    Default: ``"same-step"``."""
+    The default is ``"same-step"``."""
 
 
 def known(given: Mapping[str, Any]) -> dict[str, Any]:
@@ -151,8 +154,9 @@ def known(given: Mapping[str, Any]) -> dict[str, Any]:
         InputError: There is no such setting.
     """
     own = renamed_keys("settings", given, _RENAMED)
-    for name in own.keys() - _CHECKS.keys():
-        raise _no_such(name)
+    for name in own:
+        if name not in _CHECKS:
+            raise _no_such(name)
     return own
 
 
