@@ -14,10 +14,25 @@ const VERSION: u32 = 1;
 
 /// The settings on which a state depends: their names and values in words.
 pub(crate) fn settings(task: Task, n: usize, config: &Config) -> Vec<(String, String)> {
-    let Config { noise, aim, speed, max_elevation, opponent, seat, balls, target_ball, .. } =
-        config;
-    let Config { setups, randomize, options, rewards, max_episode_steps, .. } = config;
-    // Not among them: `autoreset_mode`, `traces` and `threads`, which change no results.
+    let Config {
+        noise,
+        aim,
+        speed,
+        max_elevation,
+        opponent,
+        seat,
+        balls,
+        target_ball,
+        setups,
+        randomize,
+        options,
+        rewards,
+        max_episode_steps,
+        // These change no results.
+        autoreset_mode: _,
+        traces: _,
+        threads: _,
+    } = config;
     [
         ("engine", env!("CARGO_PKG_VERSION").to_owned()),
         ("task", task.name().to_owned()),
