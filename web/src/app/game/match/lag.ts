@@ -26,6 +26,13 @@ export interface Lag {
 /** The table of a lag, with its physics. */
 export type LagTable = Pick<ShotFile, "table" | "physics">;
 
+/** The player's errors and the number of the variant. */
+export interface LagErrors {
+  readonly noise: Noise;
+  readonly index: number;
+  readonly seed: number;
+}
+
 /** The shot of a player, with only his ball: the other ball cannot be reached without a fault. */
 function lagShot(engine: Engine, equipment: LagTable, player: Seat, speed: number): Shot {
   const file = (position: Point): ShotFile => ({
@@ -42,17 +49,13 @@ function lagShot(engine: Engine, equipment: LagTable, player: Seat, speed: numbe
   return engine.shot(file([PLACES[player] * width, line - BEHIND]));
 }
 
-/**
- * Plays a lag at a cue speed.
- *
- * @param errors The player's errors and the number of the variant; null: none.
- */
+/** Plays a lag at a cue speed. */
 export function playLag(
   engine: Engine,
   table: LagTable,
   player: Seat,
   speed: number,
-  errors: { readonly noise: Noise; readonly index: number; readonly seed: number } | null,
+  errors: LagErrors | null,
 ): Lag {
   const meant = lagShot(engine, table, player, speed);
   const shot = errors ? meant.variant(errors.noise, errors.index, { seed: errors.seed }) : meant;
