@@ -9,8 +9,8 @@ import type { Context } from "../common/context.ts";
 import { arc } from "../common/arc.ts";
 import { h } from "../common/dom.ts";
 import { hasFlag, setFlag } from "../common/flag.ts";
-import type { Attempt } from "../document/document.ts";
-import type { Store } from "../document/store.ts";
+import type { Attempt, Session } from "../document/document.ts";
+import type { State, Store } from "../document/store.ts";
 import { leave } from "../replay/replay-control.ts";
 import { paragraph, t } from "../words/translate.ts";
 import { isDone, type Lesson, LESSONS } from "./lessons.ts";
@@ -40,107 +40,123 @@ export function mountOpening(
   context: Context,
   begins: boolean,
 ): () => void {
-  let step = -1;
-  let attempt: Attempt | null = null;
-  let judged: Trace | null = null;
-  /** Whether the balls of the step were moved; Undo brings them back. */
-  let waits = false;
-  let timer: ReturnType<typeof setTimeout> | undefined;
-  const skip = h("button", { type: "button", class: "button", onclick: end }, t("steps.skip"));
-  const region = h("section", { class: "steps", "aria-label": t("steps.title") }, skip);
-  shoot.before(region);
+  const steps = new FirstSteps(shoot, store, context);
+  store.subscribe((now, before) => steps.follow(now, before));
+  if (begins) steps.begin(0, "", true);
+  return () => steps.begin(0);
+}
 
-  function show(): void {
-    const isShown = step >= 0 && !waits;
-    region.hidden = !isShown;
+class FirstSteps {
+  readonly #store: Store;
+  readonly #context: Context;
+  readonly #region: HTMLElement;
+  /** Index of the lesson; negative: none. */
+  #step = -1;
+  #attempt: Attempt | null = null;
+  #judged: Trace | null = null;
+  /** Whether the balls of the step were moved; Undo brings them back. */
+  #waits = false;
+  #timer: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(shoot: HTMLElement, store: Store, context: Context) {
+    this.#store = store;
+    this.#context = context;
+    const onclick = () => this.#end();
+    const skip = h("button", { type: "button", class: "button", onclick }, t("steps.skip"));
+    this.#region = h("section", { class: "steps", "aria-label": t("steps.title") }, skip);
+    shoot.before(this.#region);
+    this.#show();
+  }
+
+  #show(): void {
+    const isShown = this.#step >= 0 && !this.#waits;
+    this.#region.hidden = !isShown;
     // The button has the place of the chance.
     document.body.toggleAttribute("data-steps", isShown);
   }
 
   /** @param isSet Whether the page shows the shot of the lesson already. */
-  function begin(next: number, said = "", isSet = false): void {
+  begin(next: number, said = "", isSet = false): void {
     const lesson = LESSONS[next]!;
     // The changes that follow are not the user's.
-    step = -1;
+    this.#step = -1;
     if (!isSet) {
-      store.setSession({ attempt: null, lock: null });
-      store.apply({ shot: lesson.shot, game: null }, t("steps.title"));
+      this.#store.setSession({ attempt: null, lock: null });
+      this.#store.apply({ shot: lesson.shot, game: null }, t("steps.title"));
     }
-    waits = false;
-    attempt = attemptOf(lesson, said);
-    store.setSession({ attempt, activity: "analyse" });
-    step = next;
-    show();
+    this.#waits = false;
+    this.#attempt = attemptOf(lesson, said);
+    this.#store.setSession({ attempt: this.#attempt, activity: "analyse" });
+    this.#step = next;
+    this.#show();
   }
 
-  function end(): void {
-    clearTimeout(timer);
-    step = -1;
-    waits = false;
-    if (store.session.attempt === attempt) store.setSession({ attempt: null });
-    attempt = null;
+  #end(): void {
+    clearTimeout(this.#timer);
+    this.#step = -1;
+    this.#waits = false;
+    if (this.#store.session.attempt === this.#attempt) this.#store.setSession({ attempt: null });
+    this.#attempt = null;
     setFlag("localStorage", SEEN, true);
-    show();
+    this.#show();
     document.getElementById("table")?.focus();
   }
 
   /** Hides the step while its balls lie elsewhere, and shows it again when they are back. */
-  function wait(now: boolean): void {
-    if (now === waits) return;
-    waits = now;
-    store.setSession({ attempt: now ? null : attempt });
-    show();
-    if (now) context.announce(t("steps.wait"));
+  #wait(now: boolean): void {
+    if (now === this.#waits) return;
+    this.#waits = now;
+    this.#store.setSession({ attempt: now ? null : this.#attempt });
+    this.#show();
+    if (now) this.#context.announce(t("steps.wait"));
   }
 
-  function judge(trace: Trace): void {
-    const lesson = LESSONS[step]!;
-    if (!isDone(lesson, trace)) {
-      if (store.session.mode === "replay") leave(store);
-      attempt = attemptOf(lesson, t("steps.again"));
-      store.setSession({ attempt });
-    } else if (step + 1 < LESSONS.length) {
-      begin(step + 1, t("steps.well-done"));
-    } else {
-      if (store.session.mode === "replay") leave(store);
-      end();
-      context.announce(t("steps.end"));
-    }
-  }
-
-  store.subscribe(({ session, document: now }, before) => {
-    if (step < 0) return;
-    const { trace, playing, time } = session.replay;
-    const { mode } = session;
-    const isOther =
-      session.attempt !== (waits ? null : attempt) ||
-      session.activity !== "analyse" ||
-      now.game !== null;
-    if (isOther && mode === "aim") {
-      end();
+  #judge(trace: Trace): void {
+    const lesson = LESSONS[this.#step]!;
+    const isRight = isDone(lesson, trace);
+    if (isRight && this.#step + 1 < LESSONS.length) {
+      this.begin(this.#step + 1, t("steps.well-done"));
       return;
     }
-    if (mode === "aim") wait(now.shot.balls !== LESSONS[step]!.shot.balls);
-    if (waits) return;
-    if (!trace) {
-      judged = null;
-      clearTimeout(timer);
-    } else if (!playing && time >= trace.duration && trace !== judged) {
-      judged = trace;
-      timer = setTimeout(() => {
-        if (store.session.replay.trace === trace) judge(trace);
-      }, PAUSE);
-    } else if (playing && !before.session.replay.playing) {
-      // Played again from its end.
-      judged = null;
-      clearTimeout(timer);
+    if (this.#store.session.mode === "replay") leave(this.#store);
+    if (isRight) {
+      this.#end();
+      this.#context.announce(t("steps.end"));
+    } else {
+      this.#attempt = attemptOf(lesson, t("steps.again"));
+      this.#store.setSession({ attempt: this.#attempt });
     }
-  });
-  if (begins) begin(0, "", true);
-  show();
-  return () => {
-    begin(0);
-  };
+  }
+
+  follow({ session, document: now }: State, before: State): void {
+    if (this.#step < 0) return;
+    if (session.mode === "aim") {
+      const isOther =
+        session.attempt !== (this.#waits ? null : this.#attempt) ||
+        session.activity !== "analyse" ||
+        now.game !== null;
+      if (isOther) {
+        this.#end();
+        return;
+      }
+      this.#wait(now.shot.balls !== LESSONS[this.#step]!.shot.balls);
+    }
+    if (!this.#waits) this.#followReplay(session.replay, before.session.replay);
+  }
+
+  /** Judges a shot some time after its replay has ended. */
+  #followReplay({ trace, playing, time }: Session["replay"], before: Session["replay"]): void {
+    if (trace && !playing && time >= trace.duration && trace !== this.#judged) {
+      this.#judged = trace;
+      this.#timer = setTimeout(() => {
+        if (this.#store.session.replay.trace === trace) this.#judge(trace);
+      }, PAUSE);
+    } else if (!trace || (playing && !before.playing)) {
+      // Also when it is played again from its end.
+      this.#judged = null;
+      clearTimeout(this.#timer);
+    }
+  }
 }
 
 function attemptOf({ text, pocket, circle }: Lesson, said: string): Attempt {

@@ -2,7 +2,7 @@ import { describe, expect, test } from "vitest";
 import type { Decision, FrameRecord, PlayerOptions } from "../../../src/engine/index.ts";
 import type { Store } from "../../../src/app/document/store.ts";
 import { concede, playShot } from "../../../src/app/game/game-actions.ts";
-import { costsOf } from "../../../src/app/game/review/shot-costs.ts";
+import { type Cost, costsOf, worstOf } from "../../../src/app/game/review/shot-costs.ts";
 import { neighbour, replayedMove, traceOf } from "../../../src/app/game/review/reviewed-shots.ts";
 import { standing } from "../../../src/app/game/awaited-turn.ts";
 import { begun, context, engine } from "./games.ts";
@@ -80,6 +80,12 @@ describe("the costs of shots", () => {
     expect(before).toBeGreaterThan(0.8);
     expect(after).toBeLessThan(0.2);
     expect(done).toEqual([0, 1]);
+  });
+
+  test("are listed for the three worst shots, without those that cost nearly nothing", () => {
+    const costs = [0.5, 0.3, 0.04, 0.035, 0.02].map((loss) => ({ before: 0.6, after: 0.6 - loss }));
+    expect(worstOf(costs as Cost[])).toEqual(costs.slice(0, 3));
+    expect(worstOf(costs.slice(2) as Cost[])).toEqual(costs.slice(2, 4));
   });
 
   test("the shot that wins costs nothing", async () => {

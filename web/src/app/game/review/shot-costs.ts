@@ -21,6 +21,10 @@ const SIMULATIONS = 800;
 /** The errors of a person for whom none are chosen. */
 const USUAL = "club";
 
+/** Shots that are listed, and the least loss of a listed one. */
+const LISTED = 3;
+const LEAST = 0.03;
+
 export interface Cost {
   /** Index of the move. */
   readonly index: number;
@@ -74,6 +78,11 @@ export async function costsOf(
     return [{ index, player, before, after, best: play }];
   });
   return costs.sort((a, b) => b.before - b.after - (a.before - a.after));
+}
+
+/** The costliest shots, if they cost enough. @param costs The costliest first. */
+export function worstOf(costs: readonly Cost[]): readonly Cost[] {
+  return costs.filter(({ before, after }) => before - after > LEAST).slice(0, LISTED);
 }
 
 /** The chance of `player` to win, when the next player has the chance `win`. */
