@@ -2,6 +2,7 @@
 
 mod common;
 
+use carom::ErrorKind;
 use carom::noise::Perception;
 use carom::resolve::cue_ball::Strike;
 use carom_arena::{
@@ -185,7 +186,9 @@ fn a_stopped_replay_is_an_error() {
     let text = record(&plan(short(Game::NineBall), 1), "stopped");
     let progress = Progress::default();
     progress.stop();
-    let error = replay(&text, &runner(1), &progress).unwrap_err().to_string();
+    let error = replay(&text, &runner(1), &progress).unwrap_err();
+    assert_eq!(error.kind(), ErrorKind::Stopped);
+    let error = error.to_string();
     assert!(error.starts_with("progress: the replay was stopped"), "{error}");
 }
 

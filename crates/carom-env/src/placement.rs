@@ -117,3 +117,23 @@ fn find(
         (is_free && is_on_bed(table, place, radius)).then_some(place)
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use carom::Ball;
+
+    use super::*;
+
+    #[test]
+    fn more_balls_than_the_table_has_room_for_are_refused() {
+        let table = Table::preset("bar-7ft").expect("a preset");
+        let placed = |count: usize| {
+            let ball = Ball { mass: 0.17, radius: 0.1 };
+            let balls: Vec<_> = (0..count).map(|k| FrameBall { id: k.to_string(), ball }).collect();
+            let mut places = vec![None; count];
+            scatter(&table, &balls, &vec![true; count], &mut places, &mut Dice::of_layout(1))
+        };
+        placed(10).expect("room for ten");
+        assert_eq!(placed(60).unwrap_err().kind(), ErrorKind::NoRoom);
+    }
+}

@@ -13,7 +13,7 @@ import typer
 import carom
 from carom import Call, Perception, Play, Strike
 from carom.batch import own_strike
-from carom.cli.options import Json, Level, named_noise
+from carom.cli.options import NOISES, Json, Level, named_noise
 from carom.cli.output import emit, emit_answer, read, say
 from carom.errors import InputError
 from carom.reference import DEFAULT_OPTIONS, points_help
@@ -38,9 +38,8 @@ def match(
         str | None,
         typer.Option(
             metavar="NAME[,NAME]",
-            help="Noise of both players, or of each: beginner, casual, club, advanced, "
-            "professional or olympiad; a multiplier may follow, as in olympiad:0.5; or a file "
-            "NAME.json with the keys of a noise. Default: that of a level, else olympiad.",
+            help=f"Noise of both players, or of each: {NOISES} Default: that of a level, else "
+            "olympiad.",
         ),
     ] = None,
     perception: Annotated[

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from carom import Noise
+from carom import Noise, _core
 from carom.errors import InputError
 from carom.files import read_text, shown, write_whole
 from carom.lazy import LazyModule
@@ -24,15 +24,18 @@ else:
     # Matplotlib takes half a second to load.
     picture_output = LazyModule("carom.picture.output")
 
+*_FIRST, _LAST = [name for name, _ in _core.noise_presets()]
+NOISES = (
+    f"{', '.join(_FIRST)} or {_LAST}; a multiplier may follow, as in olympiad:0.5; or a file "
+    "NAME.json with the keys of a noise."
+)
 File = Annotated[str, typer.Argument(metavar="FILE", help="A shot file; - is stdin.")]
 NoiseName = Annotated[
     str,
     typer.Option(
         "--noise",
         metavar="NAME",
-        help="beginner, casual, club, advanced, professional or olympiad; "
-        "a multiplier may follow, as in olympiad:0.5. Or a file NAME.json with the keys of a "
-        "noise.",
+        help=NOISES,
     ),
 ]
 Cling = Annotated[

@@ -9,6 +9,7 @@ import typer
 
 from carom import Frame, Noise, Perception, Player, Shot, _core
 from carom.cli.options import (
+    NOISES,
     Cling,
     Json,
     Png,
@@ -53,8 +54,7 @@ def think(
         str | None,
         typer.Option(
             metavar="NAME",
-            help="beginner, casual, club, advanced, professional or olympiad; a multiplier may "
-            "follow, as in olympiad:0.5. Default: that of a level, else olympiad.",
+            help=f"{NOISES} Default: that of a level, else olympiad.",
         ),
     ] = None,
     opponent_noise: Annotated[

@@ -216,16 +216,13 @@ impl Noise {
     #[must_use]
     pub fn scaled(&self, multiplier: f64) -> Self {
         Self {
-            speed: self.speed * multiplier,
-            azimuth: self.azimuth * multiplier,
-            elevation: self.elevation * multiplier,
-            side_m: self.side_m * multiplier,
-            height_m: self.height_m * multiplier,
+            cling_probability: self.cling_probability,
+            cling_friction: self.cling_friction,
             speed_relative: self.speed_relative * multiplier,
             covariance: self.covariance.as_ref().map(|covariance| covariance.scaled(multiplier)),
             bias: self.bias.map(|mean| mean * multiplier),
             samples: self.samples.as_ref().map(|samples| samples.scaled(multiplier)),
-            ..*self
+            ..self.independent(multiplier)
         }
     }
 
