@@ -47,28 +47,29 @@ pub(crate) fn strike(
     action: &[f32],
     draw: StrikeDraw,
 ) -> Option<NoisyStrike> {
-    let a = |k: usize| bounded(action.get(k).copied().unwrap_or(0.0));
+    let number = |k: usize| bounded(action.get(k).copied().unwrap_or(0.0));
+    let [direction, pace, side, height, raise, x, y] = core::array::from_fn(number);
     let cue_ball = match turn.hand {
-        Some(region) => Some(placement::nearest(episode, turn.cue, region, [a(5), a(6)])?),
+        Some(region) => Some(placement::nearest(episode, turn.cue, region, [x, y])?),
         None => None,
     };
     let from = cue_ball.or_else(|| episode.place(turn.cue))?;
     let azimuth = match config.aim {
-        Aim::Absolute => PI * a(0),
-        Aim::Relative => relative(episode, turn, from, a(0)),
+        Aim::Absolute => PI * direction,
+        Aim::Relative => relative(episode, turn, from, direction),
     };
     let [slow, fast] = config.speed;
     let most = OFFSET_USED * episode.base().miscue_limit().min(1.0);
     // Most shots are slow and breaks are fast; the square resolves slow shots more finely.
-    let pace = 0.5 * (a(1) + 1.0);
+    let pace = 0.5 * (pace + 1.0);
     // Maps the square of side and height to the disc of possible offsets.
-    let out = sqrt(a(2) * a(2) + a(3) * a(3)).max(1.0);
+    let out = sqrt(side * side + height * height).max(1.0);
     let mut intended = Strike {
         azimuth,
         speed: slow + pace * pace * (fast - slow),
-        side: most * a(2) / out,
-        height: most * a(3) / out,
-        elevation: config.max_elevation * a(4).max(0.0),
+        side: most * side / out,
+        height: most * height / out,
+        elevation: config.max_elevation * raise.max(0.0),
     };
     // The default elevation is the least: a player does not strike through the rail.
     let least = episode.default_elevation(turn.cue, from, &intended);

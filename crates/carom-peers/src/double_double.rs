@@ -48,6 +48,7 @@ fn two_sum(a: f64, b: f64) -> DoubleDouble {
     DoubleDouble { hi, lo: (a - (hi - from_b)) + (b - from_b) }
 }
 
+/// The sum of two doubles of which `a` has the larger magnitude, or is 0 (Dekker 1971).
 fn quick_two_sum(a: f64, b: f64) -> DoubleDouble {
     let hi = a + b;
     DoubleDouble { hi, lo: b - (hi - a) }

@@ -24,8 +24,8 @@ pub(super) fn numbers(count: usize, order: Order, random: &mut Pcg64) -> Vec<u8>
     match order {
         Order::Any => {}
         Order::OneAndLast => {
-            put(&mut numbers, 1, 0);
-            put(&mut numbers, last, CENTER);
+            swap_into(&mut numbers, 1, 0);
+            swap_into(&mut numbers, last, CENTER);
         }
         Order::Eight => eight_ball(&mut numbers, random),
     }
@@ -35,7 +35,7 @@ pub(super) fn numbers(count: usize, order: Order, random: &mut Pcg64) -> Vec<u8>
 /// WPA: the 8 in the middle, a solid in one back corner and a stripe in the other, the others in
 /// any order.
 fn eight_ball(order: &mut [u8], random: &mut Pcg64) {
-    put(order, EIGHT, CENTER);
+    swap_into(order, EIGHT, CENTER);
     let solid_left = below(random, 2) == 0;
     for (corner, solid) in CORNERS.into_iter().zip([solid_left, !solid_left]) {
         let fits = |n: u8| n != EIGHT && (n <= LAST_SOLID) == solid;
@@ -46,8 +46,8 @@ fn eight_ball(order: &mut [u8], random: &mut Pcg64) {
     }
 }
 
-/// Swaps ball `n` into `place`.
-fn put(order: &mut [u8], n: u8, place: usize) {
+/// Swaps ball `n` with the ball at `place`, if the rack has ball `n`.
+fn swap_into(order: &mut [u8], n: u8, place: usize) {
     if let Some(at) = order.iter().position(|&m| m == n) {
         order.swap(at, place);
     }
