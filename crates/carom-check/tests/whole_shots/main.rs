@@ -12,6 +12,7 @@ mod jammed_balls;
 mod laws;
 mod long_pushes;
 mod misplaced;
+mod openings;
 mod owned_event;
 mod plan;
 mod random_shots;
