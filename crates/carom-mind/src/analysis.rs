@@ -8,7 +8,7 @@ use carom_plan::{Chance, Moments};
 use carom_rules::{BallIndex, Play};
 
 use crate::player::{Budget, Situation, Spent};
-use crate::search::{Candidate, PlayKind, PlayedLeg, PlayedVariant, ShotSearch};
+use crate::search::{Candidate, Found, PlayKind, PlayedLeg, PlayedVariant, ShotSearch};
 use crate::searcher::Searcher;
 
 /// One of the plays that a search recommends, with its chances.
@@ -72,17 +72,12 @@ impl ShotSearch<'_> {
     ///
     /// # Errors
     /// As [`Self::play_round`].
-    pub fn analysis(mut self) -> Result<Analysis, Error> {
-        self.name_plays()?;
-        let found = self.found()?;
-        let mut plays: Vec<Recommendation> = found
-            .candidates
-            .iter()
-            .filter(|candidate| !candidate.fresh.is_empty())
-            .map(recommend)
-            .collect();
-        plays.sort_by(|a, b| b.win.total_cmp(&a.win));
-        Ok(Analysis { plays, spent: found.spent })
+    pub fn analysis(self) -> Result<Analysis, Error> {
+        let stated = self.rounds().stated();
+        let Found { candidates, spent } = self.listed()?;
+        let listed = candidates.iter().take(stated);
+        let plays = listed.filter(|candidate| !candidate.fresh.is_empty()).map(recommend).collect();
+        Ok(Analysis { plays, spent })
     }
 }
 

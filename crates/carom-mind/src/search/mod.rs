@@ -34,6 +34,7 @@
 //!   └─ race, replies and doubts as before
 //!   │
 //!   ▼ END: fresh samples of the stated plays. A list is named before                               (naming)
+//!          Plays that promise more than one of the list get fresh samples too                      (listing)
 //! ```
 //!
 //! [`ShotSearch`] has a method for each step. The methods of `Explorer` that find candidates get their budget as an
@@ -47,6 +48,7 @@ mod even_errors;
 mod explore;
 mod fouls;
 mod hand;
+mod listing;
 mod naming;
 mod openings;
 mod pots;

@@ -101,6 +101,11 @@ impl Rounds {
         self.candidates.first()
     }
 
+    /// The number of plays whose chances are stated.
+    pub(crate) const fn stated(&self) -> usize {
+        self.stated
+    }
+
     /// Whether the best plays of a list are wanted, and not the best play alone.
     const fn is_list(&self) -> bool {
         self.stated > 1
@@ -192,12 +197,12 @@ impl<'a> ShotSearch<'a> {
         Ok(true)
     }
 
-    fn prepared(&self) -> Result<Vec<Prepared<'a>>, Error> {
+    pub(super) fn prepared(&self) -> Result<Vec<Prepared<'a>>, Error> {
         let frame = self.task.shot.frame();
         self.rounds.places.iter().map(|place| Prepared::new(frame, *place)).collect()
     }
 
-    fn race<'b>(&'b self, prepared: &'b [Prepared<'b>]) -> Race<'b> {
+    pub(super) fn race<'b>(&'b self, prepared: &'b [Prepared<'b>]) -> Race<'b> {
         self.task.race(prepared, self.rounds.foul_correction.unwrap_or_default())
     }
 
@@ -234,7 +239,8 @@ impl<'a> ShotSearch<'a> {
         if is_list {
             distinct_first(&mut rounds.candidates);
         }
-        rounds.candidates.truncate(KEPT);
+        // A list needs a candidate of every aim, and as many that may overtake its worst plays.
+        rounds.candidates.truncate(KEPT.max(2 * rounds.stated));
         let made = rounds.lines.iter().filter(|known| known.is_made());
         let direct_pots = Some(direct_pots(made.map(|known| &known.line), &prepared[0]));
         let mut explorer = Explorer { is_list, direct_pots, ..Explorer::new(*shot) };
@@ -308,7 +314,7 @@ impl<'a> ShotSearch<'a> {
     ///
     /// # Errors
     /// As [`Self::play_round`].
-    pub(crate) fn name_plays(&mut self) -> Result<(), Error> {
+    pub(super) fn name_plays(&mut self) -> Result<(), Error> {
         let mut candidates = core::mem::take(&mut self.rounds.candidates);
         let mut plays: Vec<Play> = Vec::new();
         candidates.retain(|candidate| {
@@ -341,7 +347,7 @@ impl<'a> ShotSearch<'a> {
     ///
     /// # Errors
     /// As [`Self::play_round`].
-    pub(crate) fn found(mut self) -> Result<Found, Error> {
+    pub(crate) fn found(&mut self) -> Result<Found, Error> {
         let prepared = self.prepared()?;
         self.doubt_fouls(&prepared)?;
         let mut candidates = core::mem::take(&mut self.rounds.candidates);

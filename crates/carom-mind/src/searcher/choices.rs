@@ -68,7 +68,7 @@ impl Searcher {
         let mut best: Option<(Choice, f64)> = None;
         spent.simulations = 0;
         for Branch { choice, situation: Situation { frame, noise, .. }, search } in branches {
-            let found = search.map(ShotSearch::found).transpose()?;
+            let found = search.map(|mut search| search.found()).transpose()?;
             spent.simulations += found.as_ref().map_or(0, |found| found.spent.simulations);
             let own = match found.as_ref().and_then(|found| found.candidates.first()) {
                 Some(play) if frame.player() == Some(seat) => play.stated_win(),

@@ -125,7 +125,7 @@ impl ShotSearch<'_> {
     ///
     /// # Errors
     /// As [`Self::play_round`], and [`Error::Input`] at `frame` if no strike can be played.
-    pub fn decision(self) -> Result<Decision, Error> {
+    pub fn decision(mut self) -> Result<Decision, Error> {
         let SearchTask { shot, settings, .. } = self.task;
         let Found { candidates, spent } = self.found()?;
         let Some(best) = candidates.first() else {
