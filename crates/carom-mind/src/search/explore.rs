@@ -18,15 +18,6 @@ use crate::value::Position;
 use crate::workbench::Workbench;
 use carom_plan::Prepared;
 
-/// A pot on a direct line.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct DirectPot {
-    pub(crate) ball: BallIndex,
-    pub(crate) pocket: PocketName,
-    /// The azimuth of its line.
-    pub(crate) azimuth: f64,
-}
-
 /// A prepared position, one for each place of a cue ball in hand.
 #[derive(Clone, Copy)]
 pub(crate) struct CuePlace<'a> {
@@ -63,16 +54,15 @@ pub(crate) struct Explorer<'a> {
     pub(crate) found: Vec<Candidate>,
     /// Whether all lines are tried for a list of plays, also those that are much less probable than the best.
     pub(crate) is_list: bool,
-    /// The pots of direct lines, which no other strike needs to make, where the windows of pots are measured.
-    /// That takes about ten simulations of each.
-    pub(crate) direct_pots: Option<Vec<DirectPot>>,
+    /// Whether the windows of pots are measured, with about ten simulations of each. The first round has too few.
+    pub(crate) measures_windows: bool,
 }
 
 impl<'a> Explorer<'a> {
     pub(crate) fn new(task: ShotTask<'a>) -> Self {
         let targets = Targets::of(task.frame(), task.turn);
         let bench = Workbench::new(task.frame());
-        Self { task, targets, bench, found: Vec::new(), is_list: false, direct_pots: None }
+        Self { task, targets, bench, found: Vec::new(), is_list: false, measures_windows: false }
     }
 
     /// Least and greatest speed of the cue near the best plays, m/s.

@@ -275,7 +275,7 @@ impl Explorer<'_> {
             return Ok(());
         }
         let (kind, at) = (PlayKind::Pot(line.kind), CuePlace { number: known.place, prepared });
-        if self.direct_pots.is_some() {
+        if self.measures_windows {
             let meant = MeantPot { pot, call, kind, line: Some(line) };
             let error = self.line_error(prepared, &line, &aimed)?;
             let prior = self.center(at, aimed.strike, meant, error)?;

@@ -14,7 +14,6 @@ use super::replies::Replies;
 use super::select::{best_of, distinct_first, select};
 use super::shift::shift;
 use super::task::{SearchTask, ShotTask};
-use super::windows::direct_pots;
 use crate::breaks::BreakShot;
 use crate::player::Spent;
 use crate::settings::{BreakChoice, SearchSettings};
@@ -241,9 +240,7 @@ impl<'a> ShotSearch<'a> {
         }
         // A list needs a candidate of every aim, and as many that may overtake its worst plays.
         rounds.candidates.truncate(KEPT.max(2 * rounds.stated));
-        let made = rounds.lines.iter().filter(|known| known.is_made());
-        let direct_pots = Some(direct_pots(made.map(|known| &known.line), &prepared[0]));
-        let mut explorer = Explorer { is_list, direct_pots, ..Explorer::new(*shot) };
+        let mut explorer = Explorer { is_list, measures_windows: true, ..Explorer::new(*shot) };
         if settings.shift {
             shift(&mut rounds.candidates, shot, prepared, explorer.speeds());
         }

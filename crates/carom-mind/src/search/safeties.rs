@@ -201,8 +201,7 @@ impl Explorer<'_> {
             } else {
                 PlayKind::Indirect
             };
-            let without_line =
-                pot.filter(|(ball, pocket)| self.measures_window(*ball, *pocket, strike.azimuth));
+            let without_line = pot.filter(|_| self.measures_windows);
             match (kind, without_line) {
                 (PlayKind::Indirect, Some(pot)) => {
                     let meant = MeantPot { pot, call, kind, line: None };

@@ -13,10 +13,10 @@ use carom::table::PocketName;
 use carom_rules::{BallIndex, Call};
 
 use super::candidate::{Candidate, PlayKind};
-use super::explore::{CuePlace, DirectPot, Explorer, FoundPlay};
+use super::explore::{CuePlace, Explorer, FoundPlay};
 use super::strike_errors::{ErrorScale, moved};
 use crate::aim::{Aimed, LineMiss, LineRecorder};
-use crate::line::{Line, LineKind, direction_error};
+use crate::line::{Line, direction_error};
 use carom_plan::Prepared;
 
 /// Step of the azimuth, as a share of the error of direction. The chance of a pot changes little within it.
@@ -30,9 +30,6 @@ const LOST_STEPS: u32 = 4;
 const FALLS: f64 = 0.9;
 /// The turn, rad, that counts for an error with which the balls leave the line, and the largest one.
 const LOST: f64 = 0.05;
-/// Two strikes on one ball whose azimuths differ by less than this, rad, are on the same direct line.
-const SAME_LINE: f64 = 0.03;
-
 /// A pot that a play is meant to make.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct MeantPot {
@@ -117,21 +114,6 @@ impl Explorer<'_> {
         Ok(())
     }
 
-    /// Whether the window of a pot in about this direction is measured: no direct line makes it there.
-    pub(crate) fn measures_window(
-        &self,
-        ball: BallIndex,
-        pocket: PocketName,
-        azimuth: f64,
-    ) -> bool {
-        self.direct_pots.as_ref().is_some_and(|pots| {
-            !pots.iter().any(|direct| {
-                let turn = carom::math::sin_cos(azimuth - direct.azimuth).0;
-                (direct.ball, direct.pocket) == (ball, pocket) && turn.abs() < SAME_LINE
-            })
-        })
-    }
-
     /// The standard deviation of the azimuth by which a strike on a line passes its pocket, rad: that of the
     /// azimuth itself, and what the errors of the speed and of the tip change. Takes one simulation for each
     /// of these errors.
@@ -193,20 +175,6 @@ impl Explorer<'_> {
         let (value, is_legal) = self.ruled(prepared, meant.call)?;
         Ok((falls && is_legal && self.keeps_turn(), value))
     }
-}
-
-/// The pots of the direct lines of `lines`.
-pub(crate) fn direct_pots<'a>(
-    lines: impl Iterator<Item = &'a Line>,
-    prepared: &Prepared<'_>,
-) -> Vec<DirectPot> {
-    let table = prepared.shot().table();
-    let direct = lines.filter(|line| line.kind == LineKind::Direct);
-    let pot = |line: &Line| {
-        let (ball, pocket) = line.pot(table);
-        DirectPot { ball, pocket, azimuth: line.azimuth }
-    };
-    direct.map(pot).collect()
 }
 
 #[cfg(test)]
@@ -287,19 +255,5 @@ mod tests {
         });
         assert_eq!(all.len(), 1);
         assert!(all[0].play.strike.azimuth < strike.azimuth - 0.001);
-    }
-
-    #[test]
-    fn a_direct_line_makes_its_pot_in_its_direction_only() {
-        let (frame, _) = straight(0.0);
-        found(&frame, |explorer, _| {
-            use PocketName::{TopLeft, TopRight};
-            explorer.direct_pots =
-                Some(vec![DirectPot { ball: 9, pocket: TopRight, azimuth: 0.8 }]);
-            assert!(!explorer.measures_window(9, TopRight, 0.82));
-            assert!(!explorer.measures_window(9, TopRight, 0.8 - core::f64::consts::TAU));
-            assert!(explorer.measures_window(9, TopRight, 0.84));
-            assert!(explorer.measures_window(9, TopLeft, 0.8));
-        });
     }
 }
