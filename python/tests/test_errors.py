@@ -67,6 +67,13 @@ def refused_break() -> carom.Frame:
     return frame
 
 
+def after_scratch() -> carom.Frame:
+    frame = carom.Frame("nine-ball")
+    frame.play(carom.Strike(2.0, azimuth_deg=-135), cue_ball=(0.3, 0.3))
+    assert frame.request["in_hand"] == "anywhere"
+    return frame
+
+
 def on_colors() -> carom.Frame:
     """A frame of snooker after a red was potted."""
     file = carom.Frame("snooker").shot(STRIKE, cue_ball=(0.8, 0.5)).to_dict()
@@ -157,6 +164,7 @@ CASES: dict[str, Callable[[], Any]] = {
     ).simulate(),
     "busy": locked_twice,
     "system": emitted_to_nothing,
+    "no-place": lambda: after_scratch().play(STRIKE),
     "no-nomination": lambda: on_colors().play(STRIKE),
     "no-play": lambda: carom.Player("carom:50").choose(
         carom.Frame("nine-ball", physics={"cue": {"tip_efficiency": 0.1}})
@@ -164,10 +172,9 @@ CASES: dict[str, Callable[[], Any]] = {
     "no-call": lambda: carom.Frame("straight-pool").play(STRIKE, cue_ball=(0.6, 0.6)),
 }
 
-# Python has no case of these. Tests raise them: in Rust `a_stopped_replay_is_an_error` and
-# `more_balls_than_the_table_has_room_for_are_refused`, in JavaScript "a play without the place of a
-# cue ball in hand".
-WITHOUT_CASE = {"stopped", "no-room", "no-place"}
+# Python has no case of these. Tests in Rust raise them: `a_stopped_replay_is_an_error` and
+# `more_balls_than_the_table_has_room_for_are_refused`.
+WITHOUT_CASE = {"stopped", "no-room"}
 
 
 def test_every_kind_has_a_case() -> None:

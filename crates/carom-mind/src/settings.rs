@@ -1,8 +1,8 @@
 //! The settings of the searching player.
 
 use carom::format::Reader;
-use carom::rack::Game;
 use carom::{Error, ErrorKind};
+use carom_rules::Frame;
 
 use crate::breaks::BreakShot;
 
@@ -20,11 +20,11 @@ pub enum BreakChoice {
 }
 
 impl BreakChoice {
-    /// The shot that is played in every rack of `game`; none if it is searched.
-    pub(crate) fn fixed(self, game: Game) -> Option<BreakShot> {
+    /// The shot that opens `frame`; none if it is searched.
+    pub(crate) fn fixed(self, frame: &Frame) -> Option<BreakShot> {
         match self {
             Self::Searched => None,
-            Self::Center => Some(BreakShot::center(game.break_speed())),
+            Self::Center => Some(BreakShot::usual(frame)),
             Self::Given(shot) => Some(shot),
         }
     }

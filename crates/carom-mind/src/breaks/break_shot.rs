@@ -13,6 +13,9 @@ use carom_plan::Prepared;
 /// must not move it over a line.
 const SPARE: f64 = 1e-6;
 
+/// Places of the cue ball across its region that [`BreakShot::usual`] tries, the first one first.
+const BESIDE: [f64; 4] = [0.0, 0.25, 0.5, 1.0];
+
 /// An opening shot: the place of the cue ball, the hit of the first ball, and the stroke.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BreakShot {
@@ -40,6 +43,15 @@ impl BreakShot {
         Self { across: 0.0, behind: 0.0, aim: 0.0, speed, side: 0.0, height: 0.0 }
     }
 
+    /// The usual opening shot of `frame`: [`Self::center`] at the game's speed, or beside a ball that
+    /// stands in the middle, as the brown does in the D of snooker.
+    pub fn usual(frame: &Frame) -> Self {
+        let center = Self::center(frame.game().break_speed());
+        let beside = BESIDE.map(|across| Self { across, ..center });
+        let can_be_played = |shot: &Self| shot.play(frame).is_ok();
+        beside.into_iter().find(can_be_played).unwrap_or(center)
+    }
+
     /// The same shot seen in a mirror along the table.
     #[must_use]
     pub const fn mirrored(&self) -> Self {
@@ -65,7 +77,7 @@ impl BreakShot {
     }
 
     /// Where the shot puts the cue ball of `turn`, a shot of `frame`; none if it is not in hand.
-    /// File frame, m.
+    /// File coordinates, m.
     pub fn cue_ball(&self, frame: &Frame, turn: &Turn) -> Option<[f64; 2]> {
         let region = turn.hand?;
         let table = frame.base().table();
@@ -160,6 +172,19 @@ mod tests {
 
     fn new_frame(game: Game) -> Frame {
         Frame::new(game, Options::default(), None, None, 0).unwrap()
+    }
+
+    #[test]
+    fn the_usual_opening_can_be_played_in_every_game() {
+        // Seen: in snooker the brown stands in the middle of the D's line.
+        for game in Game::ALL {
+            let frame = new_frame(game);
+            let shot = BreakShot::usual(&frame);
+            let played = shot.play(&frame);
+            assert!(played.is_ok(), "{}: {played:?}", game.name());
+            let is_aside = matches!(game, Game::Snooker | Game::SixRed);
+            assert_eq!(shot.across != 0.0, is_aside, "{}", game.name());
+        }
     }
 
     #[test]

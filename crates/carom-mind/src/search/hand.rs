@@ -18,7 +18,7 @@ const APART: f64 = 0.12;
 
 impl ShotTask<'_> {
     /// Places from which a ball on can be potted, the best first, and at least one place in the
-    /// region. File frame, m.
+    /// region. File coordinates, m.
     pub(crate) fn places(&self, region: Region) -> Vec<[f64; 2]> {
         let scene = Scene::new(self.frame());
         let (noise, radius) = (self.noise(), self.cue_radius());

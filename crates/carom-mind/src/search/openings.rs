@@ -48,13 +48,12 @@ pub(crate) fn opening_shots(
 ) -> Result<Vec<BreakShot>, Error> {
     let SearchTask { shot: ShotTask { situation, turn, value }, settings, budget } = *task;
     let frame = situation.frame;
-    let game = frame.game();
-    if let Some(shot) = settings.break_shot.fixed(game) {
+    if let Some(shot) = settings.break_shot.fixed(frame) {
         let played = shot.play(frame);
         return played.map(|_| vec![shot]).map_err(|error| error.inside("settings.break_shot"));
     }
     let known = found(frame, &situation.noise[turn.player]);
-    let usual = BreakShot::center(game.break_speed());
+    let usual = BreakShot::usual(frame);
     let mut shots = vec![known.map_or(usual, |(entry, _)| entry.shot)];
     let is_known = known.is_some_and(|(_, fit)| fit == Fit::Same);
     if !is_known && budget.simulations >= LEAST_TO_SEARCH {

@@ -257,11 +257,6 @@ describe("invalid arguments are refused with their place", () => {
     expect(refusal(() => shot.vary(biased, 1)).place).toBe("noise.bias[1]");
   });
 
-  test("a play without the place of a cue ball in hand", () => {
-    const error = refusal(() => engine.frame("nine-ball").play({ strike }));
-    expect([error.kind, error.place]).toEqual(["no-place", "cue_ball"]);
-  });
-
   test("files that are not JSON values", () => {
     expect(() => engine.shot(wrong(() => 5))).toThrow(CaromError);
     expect(() => engine.trace(wrong(5))).toThrow(CaromError);
