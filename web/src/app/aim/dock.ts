@@ -68,23 +68,11 @@ export function mountDock(
   function show(): void {
     root.hidden = !canAim(store, context.engine);
     if (store.session.mode !== "aim" || root.hidden) return;
-    const { trace, error } = store.ghost;
-    const { lock, attempt } = store.session;
-    const guide = shownGuide(store);
-    const contact = trace && firstContact(trace);
-    const aim = lock && trace ? lockText(lock, contact) : "";
-    const hit = !lock && contact ? hitText(contact) : "";
+    const { trace } = store.ghost;
     const obstacle = trace ? obstruction(trace.outcome) : null;
     const wrong = wrongBall(store, context.engine);
     const warnings = paragraph([wrong ?? "", obstacle ?? ""]);
-    const inWords = (seen: Trace) =>
-      guide === "full"
-        ? paragraph([aim, ...withHit(summary(seen), hit)])
-        : aim || guideText(seen, guide);
-    setText(
-      text,
-      paragraph([attempt?.text ?? "", secondTap(store), trace ? inWords(trace) : (error ?? "")]),
-    );
+    setText(text, outcomeText(store));
     setText(warning, warnings);
     warning.hidden = warnings === "";
     remedy.hidden = obstacle === null || trace?.outcome.least_elevation_deg === null;
@@ -106,6 +94,23 @@ export function mountDock(
     if (!isSame) context.loop.input(root, show);
   });
   show();
+}
+
+function outcomeText(store: Store): string {
+  const { trace, error } = store.ghost;
+  const said = trace ? predictionText(store, trace) : (error ?? "");
+  return paragraph([store.session.attempt?.text ?? "", secondTap(store), said]);
+}
+
+/** What the shot will do, as far as the guide shows it. */
+function predictionText(store: Store, trace: Trace): string {
+  const { lock } = store.session;
+  const guide = shownGuide(store);
+  const contact = firstContact(trace);
+  const aim = lock ? lockText(lock, contact) : "";
+  const hit = !lock && contact ? hitText(contact) : "";
+  if (guide === "full") return paragraph([aim, ...withHit(summary(trace), hit)]);
+  return aim || guideText(trace, guide);
 }
 
 /** What a tap on a pocket does after one on a ball; empty if no ball is selected and aimed at. */

@@ -152,8 +152,6 @@ export function readingOf(
   const way = wayOf(trace, ball, from, cloth);
   const [first, second] = way.hits;
   if (!first) return null;
-  const rails = way.hits.map(({ rail }) => rail);
-  const isLong = first.rail === "left" || first.rail === "right";
   const line: Place = [first.at[0] - way.start[0], first.at[1] - way.start[1]];
   const reads = (system: SystemName, last: number, home: Rail): Reading | null => {
     const own = crossing(way.start, line, home, cloth);
@@ -162,13 +160,12 @@ export function readingOf(
   };
   if (!second) return reads("two-to-one", 1, OPPOSITE[first.rail]);
   if (second.rail === OPPOSITE[first.rail]) return reads("two-to-one", 1, second.rail);
-  if (isLong) {
-    // The third cushion may be missed: the ball still heads for the rail.
-    if (rails[2] !== undefined && rails[2] === first.rail) return null;
-    return reads("corner-five", 2, OPPOSITE[first.rail]);
-  }
-  if (rails[2] !== undefined && rails[2] === first.rail) return null;
-  return reads("plus", 2, OPPOSITE[second.rail]);
+  // The third cushion may be missed: the ball still heads for the rail.
+  if (way.hits[2]?.rail === first.rail) return null;
+  const isLong = first.rail === "left" || first.rail === "right";
+  return isLong
+    ? reads("corner-five", 2, OPPOSITE[first.rail])
+    : reads("plus", 2, OPPOSITE[second.rail]);
 }
 
 interface Lines {
@@ -186,92 +183,141 @@ function reading(
   way: Way,
   { home, last, own, over }: Lines,
 ): Reading | null {
-  const { width, length, back, unit } = cloth;
   const [first, second] = way.hits;
-  if (!first) return null;
-  const homeLong = home === "left" || home === "right";
-  const firstLong = first.rail === "left" || first.rail === "right";
-  /** Along a rail, from the end towards which the ball goes at first: 0 is there. */
-  const forward = homeLong ? first.at[1] - way.start[1] < 0 : first.at[0] - way.start[0] < 0;
-  const end = homeLong ? length : width;
-  // Diamonds along the home rail; in the plus system they begin at the short rail that is met first.
-  const isUp = system === "plus" ? first.rail === "top" : !forward;
-  const along = (place: Place): number => {
-    const at = homeLong ? place[1] : place[0];
-    return isUp ? end - at : at;
-  };
-  const placed = (rail: Rail, at: number): Point => {
-    const isSide = rail === "left" || rail === "right";
-    const where = isUp && isSide === homeLong ? end - at : at;
-    const line = { left: -back, right: width + back, bottom: -back, top: length + back }[rail];
-    return isSide ? [line * unit, where * unit] : [where * unit, line * unit];
-  };
-  /** Along the short rail of the plus system, from the home rail. */
-  const across = (place: Place): number => (home === "left" ? place[0] : width - place[0]);
-  const placedAcross = (at: number): Point => {
-    const x = home === "left" ? at : width - at;
-    const y = first.rail === "top" ? length + back : -back;
-    return [x * unit, y * unit];
-  };
-
-  let from = along(own);
+  if (!first || (system !== "two-to-one" && !second)) return null;
+  const { back, unit } = cloth;
+  const scale = scaleOf(system, cloth, way.start, first, home);
   // The mirror image also holds for lines that come from beyond the rail.
-  const isOnRail = from > -back && from <= end + back + 1e-9;
+  const from = scale.along(own);
+  const isOnRail = from > -back && from <= scale.end + back + 1e-9;
   if (!isOnRail && system !== "two-to-one") return null;
-  let number = along(over);
-  let predicted: number;
-  const diamonds: DiamondNumber[] = [];
-  const each = (count: number, say: (at: number) => void) => {
-    for (let at = 1; at < count; at += 1) say(at);
-  };
-  if (system === "corner-five") {
-    // 5 is the corner from which the ball comes, and each diamond of the starting rail is half a number.
-    const start = (at: number) => 5 - (end - at) / 2;
-    from = start(from);
-    predicted = from - number;
-    each(end + 1, (at) =>
-      diamonds.push({ at: placed(home, at), number: start(at), scale: "line" }),
-    );
-    each(end, (at) =>
-      diamonds.push(
-        { at: placed(first.rail, at), number: at, scale: "line" },
-        { at: placed(home, at), number: at, scale: "target" },
-      ),
-    );
-  } else if (system === "plus") {
-    // The diamonds of the short rail have 7, 5 and 3, the lowest farthest away.
-    const short = (at: number) => 9 - 2 * at;
-    number = short(across(over));
-    predicted = from + number;
-    each(width, (at) => diamonds.push({ at: placedAcross(at), number: short(at), scale: "line" }));
-    each(end, (at) => diamonds.push({ at: placed(home, at), number: at, scale: "target" }));
-  } else {
-    predicted = 2 * number - from;
-    each(firstLong ? length : width, (at) =>
-      diamonds.push(
-        { at: placed(first.rail, at), number: at, scale: "line" },
-        { at: placed(home, at), number: at, scale: "target" },
-      ),
-    );
-  }
+  const count = { "corner-five": cornerFive, plus, "two-to-one": twoToOne }[system];
+  const counted = count(scale, own, over);
   const next = way.hits[last] ?? (way.hits.length === last ? way.last : null);
   const towards = { left: [0, -1], right: [0, 1], bottom: [1, -1], top: [1, 1] } as const;
   const [axis, sign] = towards[home];
   const heads = next && next.by[axis] * sign > 0 ? crossing(next.at, next.by, home, cloth) : null;
   const metre = ([x, y]: Place): Point => [x * unit, y * unit];
-  if (system !== "two-to-one" && !second) return null;
   return {
     system,
-    from,
-    over: number,
-    predicted,
-    actual: heads && along(heads),
-    numbers: diamonds,
+    ...counted,
+    actual: heads && scale.along(heads),
     places: {
       from: metre(own),
       over: metre(over),
-      predicted: placed(home, predicted),
+      predicted: scale.placed(home, counted.predicted),
       actual: heads && metre(heads),
     },
   };
+}
+
+/** Diamonds along the rails of a way. */
+interface Scale {
+  readonly home: Rail;
+  readonly first: Rail;
+  /** Diamonds of the home rail, of the first rail, and of the table's width. */
+  readonly end: number;
+  readonly firstEnd: number;
+  readonly width: number;
+  /** Along the home rail and the one opposite, and the place of a number there, m. */
+  readonly along: (place: Place) => number;
+  readonly placed: (rail: Rail, at: number) => Point;
+  /** Along the short rail of the plus system, from the home rail, and the place of a number there, m. */
+  readonly across: (place: Place) => number;
+  readonly placedAcross: (at: number) => Point;
+}
+
+function scaleOf(
+  system: SystemName,
+  { width, length, back, unit }: Cloth,
+  start: Place,
+  first: Way["hits"][number],
+  home: Rail,
+): Scale {
+  const isLong = (rail: Rail) => rail === "left" || rail === "right";
+  const homeLong = isLong(home);
+  /** Along a rail, from the end towards which the ball goes at first: 0 is there. */
+  const forward = homeLong ? first.at[1] - start[1] < 0 : first.at[0] - start[0] < 0;
+  const end = homeLong ? length : width;
+  // Diamonds along the home rail; in the plus system they begin at the short rail that is met first.
+  const isUp = system === "plus" ? first.rail === "top" : !forward;
+  return {
+    home,
+    first: first.rail,
+    end,
+    firstEnd: isLong(first.rail) ? length : width,
+    width,
+    along: (place) => {
+      const at = homeLong ? place[1] : place[0];
+      return isUp ? end - at : at;
+    },
+    placed: (rail, at) => {
+      const where = isUp && isLong(rail) === homeLong ? end - at : at;
+      const line = { left: -back, right: width + back, bottom: -back, top: length + back }[rail];
+      return isLong(rail) ? [line * unit, where * unit] : [where * unit, line * unit];
+    },
+    across: (place) => (home === "left" ? place[0] : width - place[0]),
+    placedAcross: (at) => {
+      const x = home === "left" ? at : width - at;
+      const y = first.rail === "top" ? length + back : -back;
+      return [x * unit, y * unit];
+    },
+  };
+}
+
+/** The diamonds between the ends of a rail. */
+function between(count: number): number[] {
+  const all: number[] = [];
+  for (let at = 1; at < count; at += 1) all.push(at);
+  return all;
+}
+
+type Counted = Pick<Reading, "from" | "over" | "predicted" | "numbers">;
+
+/** The numbers of the first rail, which are those of the target too. */
+function sameOnBoth({ first, home, placed }: Scale, count: number): DiamondNumber[] {
+  return between(count).flatMap((at): DiamondNumber[] => [
+    { at: placed(first, at), number: at, scale: "line" },
+    { at: placed(home, at), number: at, scale: "target" },
+  ]);
+}
+
+function cornerFive(scale: Scale, own: Place, over: Place): Counted {
+  const { end, home, along, placed } = scale;
+  // 5 is the corner from which the ball comes, and each diamond of the starting rail is half a number.
+  const start = (at: number) => 5 - (end - at) / 2;
+  const [from, number] = [start(along(own)), along(over)];
+  const starts = between(end + 1).map((at): DiamondNumber => ({
+    at: placed(home, at),
+    number: start(at),
+    scale: "line",
+  }));
+  const numbers = [...starts, ...sameOnBoth(scale, end)];
+  return { from, over: number, predicted: from - number, numbers };
+}
+
+function plus(scale: Scale, own: Place, over: Place): Counted {
+  const { end, home, width, along, placed, across, placedAcross } = scale;
+  // The diamonds of the short rail have 7, 5 and 3, the lowest farthest away.
+  const short = (at: number) => 9 - 2 * at;
+  const [from, number] = [along(own), short(across(over))];
+  const numbers = [
+    ...between(width).map((at): DiamondNumber => ({
+      at: placedAcross(at),
+      number: short(at),
+      scale: "line",
+    })),
+    ...between(end).map((at): DiamondNumber => ({
+      at: placed(home, at),
+      number: at,
+      scale: "target",
+    })),
+  ];
+  return { from, over: number, predicted: from + number, numbers };
+}
+
+function twoToOne(scale: Scale, own: Place, over: Place): Counted {
+  const [from, number] = [scale.along(own), scale.along(over)];
+  const numbers = sameOnBoth(scale, scale.firstEnd);
+  return { from, over: number, predicted: 2 * number - from, numbers };
 }

@@ -1,6 +1,6 @@
 /** The form that starts a game. */
 
-import type { FrameOptions } from "../../../engine/index.ts";
+import type { FrameOptions, GameFacts } from "../../../engine/index.ts";
 import type { Context } from "../../common/context.ts";
 import { h, uniqueId } from "../../common/dom.ts";
 import { gameName, presetLabel, presetOptions } from "../../common/preset-names.ts";
@@ -24,113 +24,149 @@ const AS_THEY_LIE = "lie";
 const THIS_TABLE = "this";
 
 export function mountSetup(root: HTMLElement, store: Store, context: Context): void {
-  const { engine } = context;
-  const rules = select(engine.games.map((name) => [name, gameName(name)]));
-  const usual = h("option", { value: "" });
-  const table = h("select", { id: uniqueId("table") }, usual);
-  table.append(...presetOptions(engine.tables.flatMap(({ name }) => name ?? [])));
-  table.append(h("option", { value: THIS_TABLE }, t("setup.this-table")));
-  const seed = number(drawn(), 0);
-  const goal = number(engine.defaultTerms.points, 1);
-  const miss = h("input", {
-    type: "checkbox",
-    id: uniqueId("miss"),
-    checked: engine.defaultTerms.miss,
-  });
-  const start = select([
+  new GameSetup(root, store, context).show();
+}
+
+class GameSetup {
+  readonly #store: Store;
+  readonly #context: Context;
+  readonly #rules: HTMLSelectElement;
+  readonly #usual = h("option", { value: "" });
+  readonly #table = h("select", { id: uniqueId("table") }, this.#usual);
+  readonly #seed = number(drawn(), 0);
+  readonly #goal = number(40, 1);
+  readonly #miss = h("input", { type: "checkbox", id: uniqueId("miss"), checked: true });
+  readonly #start = select([
     ["", t("setup.new-rack")],
     [AS_THEY_LIE, t("setup.as-they-lie")],
   ]);
-  const tableRow = labelled(t("setup.table"), table);
-  const seedRow = h("div", { class: "pair" }, labelled(t("setup.seed"), seed), shuffle());
-  const goalRow = labelled(t("setup.points"), goal);
-  const missRow = h("div", { class: "switch row" }, miss, label(miss, t("setup.miss")));
-  const seats = h("div");
-  const players = mountPlayers(seats, context);
-  const guide = select(GUIDES.map((name) => [name, t(`guide.${name}`)]));
-  guide.value = "short";
-  const match = mountMatch(engine);
-  const begin = (): void => {
-    const options = readOptions();
-    const from = start.value === AS_THEY_LIE ? store.shot.file : null;
-    if (!options) return;
-    const shown = GUIDES.find((name) => name === guide.value)!;
-    const people = players.read();
-    const terms = match.read();
-    if (terms === null) {
-      store.refuse(t("race.refused", { most: LONGEST_RACE }));
-      return;
-    }
-    const own = { ...people.setup, guide: shown, ...terms };
-    const setup = { rules: rules.value, options, from, ...own };
-    // A friend at another page cannot lag at the same time.
-    if (!match.lags() || people.here !== undefined) {
-      startGame(store, context, setup, people.here);
-      return;
-    }
-    openLag(newGame(setup), context, (game) => {
-      startReady(store, context, game);
-    });
-  };
-  const rack = h("details", {}, h("summary", {}, t("setup.rack")));
-  rack.append(labelled(t("setup.begin-with"), start), tableRow, seedRow);
-  root.append(
-    h("h2", {}, t("setup.title")),
-    h("p", { class: "hint" }, t("setup.hint")),
-    labelled(t("setup.game"), rules),
-    goalRow,
-    missRow,
-    seats,
-    labelled(t("guide.label"), guide),
-    match.root,
-    rack,
-    h("div", { class: "row end pinned" }, primary(t("setup.start"), begin)),
+  readonly #guide = select(GUIDES.map((name) => [name, t(`guide.${name}`)]));
+  readonly #tableRow = labelled(t("setup.table"), this.#table);
+  readonly #seedRow = h(
+    "div",
+    { class: "pair" },
+    labelled(t("setup.seed"), this.#seed),
+    shuffle(this.#seed),
   );
+  readonly #goalRow = labelled(t("setup.points"), this.#goal);
+  readonly #missRow = h(
+    "div",
+    { class: "switch row" },
+    this.#miss,
+    label(this.#miss, t("setup.miss")),
+  );
+  readonly #players: ReturnType<typeof mountPlayers>;
+  readonly #match: ReturnType<typeof mountMatch>;
 
-  function shuffle(): HTMLElement {
-    const button = h("button", { type: "button", class: "button shuffle" }, t("setup.shuffle"));
-    button.addEventListener("click", () => {
-      seed.value = String(drawn());
-    });
-    return button;
+  constructor(root: HTMLElement, store: Store, context: Context) {
+    const { engine } = context;
+    this.#store = store;
+    this.#context = context;
+    this.#rules = select(engine.games.map((name) => [name, gameName(name)]));
+    this.#rules.value = "nine-ball";
+    this.#table.append(...presetOptions(engine.tables.flatMap(({ name }) => name ?? [])));
+    this.#table.append(h("option", { value: THIS_TABLE }, t("setup.this-table")));
+    const seats = h("div");
+    this.#players = mountPlayers(seats, context);
+    this.#guide.value = "short";
+    this.#match = mountMatch(engine);
+    const rack = h("details", {}, h("summary", {}, t("setup.rack")));
+    rack.append(labelled(t("setup.begin-with"), this.#start), this.#tableRow, this.#seedRow);
+    root.append(
+      h("h2", {}, t("setup.title")),
+      h("p", { class: "hint" }, t("setup.hint")),
+      labelled(t("setup.game"), this.#rules),
+      this.#goalRow,
+      this.#missRow,
+      seats,
+      labelled(t("guide.label"), this.#guide),
+      this.#match.root,
+      rack,
+      h(
+        "div",
+        { class: "row end pinned" },
+        primary(t("setup.start"), () => this.#begin()),
+      ),
+    );
+    for (const list of [this.#rules, this.#start])
+      list.addEventListener("change", () => this.show());
   }
 
-  const facts = () => engine.gameFacts[rules.value]!;
+  get #facts(): GameFacts {
+    return this.#context.engine.gameFacts[this.#rules.value]!;
+  }
 
-  function readOptions(): FrameOptions | null {
-    const [rack, points] = [whole(seed, 0), whole(goal, 1)];
-    if (rack === null) store.refuse(t("field.not-a-seed"));
-    else if (points === null) store.refuse(t("setup.points-refused"));
-    if (rack === null || points === null) return null;
+  get #isAsTheyLie(): boolean {
+    return this.#start.value === AS_THEY_LIE;
+  }
+
+  show(): void {
+    const table = presetLabel(this.#context.engine.usualTable(this.#rules.value));
+    this.#usual.textContent = t("setup.usual-table", { table });
+    this.#goalRow.hidden = this.#facts.scoring !== "target";
+    this.#tableRow.hidden = this.#seedRow.hidden = this.#isAsTheyLie;
+    this.#missRow.hidden = !this.#facts.miss;
+    this.#players.show(this.#rules.value);
+    this.#match.show(this.#rules.value);
+  }
+
+  #begin(): void {
+    const options = this.#readOptions();
+    if (!options) return;
+    const terms = this.#match.read();
+    if (terms === null) {
+      this.#store.refuse(t("race.refused", { most: LONGEST_RACE }));
+      return;
+    }
+    const { setup: players, here } = this.#players.read();
+    const setup = {
+      rules: this.#rules.value,
+      options,
+      from: this.#isAsTheyLie ? this.#store.shot.file : null,
+      ...players,
+      guide: GUIDES.find((name) => name === this.#guide.value)!,
+      ...terms,
+    };
+    // A friend at another page cannot lag at the same time.
+    if (!this.#match.lags() || here !== undefined) {
+      startGame(this.#store, this.#context, setup, here);
+      return;
+    }
+    openLag(newGame(setup), this.#context, (game) => {
+      startReady(this.#store, this.#context, game);
+    });
+  }
+
+  /** The options of the frame; null if a number of the form is none. */
+  #readOptions(): FrameOptions | null {
+    const [seed, points] = [whole(this.#seed, 0), whole(this.#goal, 1)];
+    if (seed === null) this.#store.refuse(t("field.not-a-seed"));
+    else if (points === null) this.#store.refuse(t("setup.points-refused"));
+    if (seed === null || points === null) return null;
     return {
-      ...tableOptions(),
-      seed: rack,
-      ...(facts().scoring === "target" && { points }),
-      ...(facts().miss && { miss: miss.checked }),
+      ...this.#tableOptions(),
+      seed,
+      ...(this.#facts.scoring === "target" && { points }),
+      ...(this.#facts.miss && { miss: this.#miss.checked }),
     };
   }
 
-  function tableOptions(): Pick<FrameOptions, "table" | "physics"> {
-    if (table.value === "" || start.value === AS_THEY_LIE) return {};
-    if (table.value !== THIS_TABLE) return { table: table.value };
-    const { table: own, physics } = store.document.shot;
-    return { table: own, ...(physics !== undefined && { physics }) };
+  #tableOptions(): Pick<FrameOptions, "table" | "physics"> {
+    const chosen = this.#table.value;
+    if (chosen === "" || this.#isAsTheyLie) return {};
+    if (chosen !== THIS_TABLE) return { table: chosen };
+    const { table, physics } = this.#store.document.shot;
+    return { table, ...(physics !== undefined && { physics }) };
   }
+}
 
-  const show = (): void => {
-    usual.textContent = t("setup.usual-table", {
-      table: presetLabel(engine.usualTable(rules.value)),
-    });
-    goalRow.hidden = facts().scoring !== "target";
-    tableRow.hidden = seedRow.hidden = start.value === AS_THEY_LIE;
-    missRow.hidden = !facts().miss;
-    players.show(rules.value);
-    match.show(rules.value);
+/** A button that draws another seed. */
+function shuffle(seed: HTMLInputElement): HTMLElement {
+  const onclick = () => {
+    seed.value = String(drawn());
   };
-  rules.addEventListener("change", show);
-  start.addEventListener("change", show);
-  rules.value = "nine-ball";
-  show();
+  const attributes = { type: "button", class: "button shuffle", onclick };
+  return h("button", attributes, t("setup.shuffle"));
 }
 
 function drawn(): number {
