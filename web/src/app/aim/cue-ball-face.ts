@@ -62,100 +62,119 @@ export function withinLimit(
 }
 
 export function mountFace(root: HTMLElement, store: Store, context: Context): void {
-  const { drawing, show: draw } = drawFace();
-  const tried = svg("circle", { class: "face-tried", r: 0.1 });
-  drawing.append(tried);
-  const face = h(
-    "div",
-    {
-      class: "face",
-      tabindex: 0,
-      role: "application",
-      "aria-roledescription": t("face.role"),
-      "aria-describedby": "face-hint",
-    },
-    drawing,
-  );
-  root.append(face);
+  const face = new Face(root, store, context);
+  store.subscribe(() => face.show());
+  face.show();
+}
 
-  const fine = (event: { shiftKey: boolean }) => (store.session.fine || event.shiftKey ? FINE : 1);
-  const put = (side: number, height: number, group: string) => {
-    const offset = withinLimit([side, height], store.shot.miscueLimit);
-    return store.strike({ side: offset[0], height: offset[1] }, t("change.tip"), group);
-  };
-
-  let last: { x: number; y: number } | null = null;
+class Face {
+  readonly #store: Store;
+  readonly #context: Context;
+  readonly #picture = drawFace();
+  readonly #tried = svg("circle", { class: "face-tried", r: 0.1 });
+  readonly #face: HTMLElement;
+  /** The last place of the pointer, CSS pixels; null: it is not pressed. */
+  #last: { readonly x: number; readonly y: number } | null = null;
   /** The offset at the pointer, which may be beyond the miscue limit. */
-  let wanted = { side: 0, height: 0 };
+  #wanted = { side: 0, height: 0 };
 
-  face.addEventListener("pointerdown", (event) => {
-    if (event.button !== 0) return;
-    face.setPointerCapture(event.pointerId);
-    const { side = 0, height = 0 } = store.document.shot.strike;
-    wanted = { side, height };
-    last = { x: event.clientX, y: event.clientY };
-    if (fine(event) === 1) follow(event);
-  });
-  face.addEventListener("pointermove", (event) => {
-    if (!last) return;
-    context.loop.input(face, () => {
-      follow(event);
+  constructor(root: HTMLElement, store: Store, context: Context) {
+    this.#store = store;
+    this.#context = context;
+    const { drawing } = this.#picture;
+    drawing.append(this.#tried);
+    this.#face = h(
+      "div",
+      {
+        class: "face",
+        tabindex: 0,
+        role: "application",
+        "aria-roledescription": t("face.role"),
+        "aria-describedby": "face-hint",
+        onblur: () => store.settle(),
+      },
+      drawing,
+    );
+    root.append(this.#face);
+    this.#face.addEventListener("pointerdown", (event) => this.#press(event));
+    this.#face.addEventListener("pointermove", (event) => {
+      if (this.#last) context.loop.input(this.#face, () => this.#follow(event));
     });
-  });
-  for (const type of ["pointerup", "pointercancel"] as const) {
-    face.addEventListener(type, () => {
-      context.loop.flush();
-      last = null;
-      store.settle();
-    });
+    for (const type of ["pointerup", "pointercancel"] as const)
+      this.#face.addEventListener(type, () => this.#release());
+    this.#face.addEventListener("keydown", (event) => this.#key(event));
   }
 
-  function follow(event: PointerEvent): void {
-    if (!last) return;
-    const box = drawing.getBoundingClientRect();
+  get #offset(): { side: number; height: number } {
+    const { side = 0, height = 0 } = this.#store.document.shot.strike;
+    return { side, height };
+  }
+
+  show(): void {
+    const { side, height } = this.#offset;
+    this.#picture.show(this.#store.shot.miscueLimit, [side, height]);
+    const refused = this.#store.session.refusal?.shot?.strike;
+    const off = refused && (refused.side !== side || refused.height !== height);
+    this.#tried.style.display = off ? "" : "none";
+    if (off) at(this.#tried, refused.side ?? 0, refused.height ?? 0);
+    const offset = spokenOffset(side, height);
+    this.#face.setAttribute("aria-label", t("face.position", { offset }));
+  }
+
+  #share(event: { shiftKey: boolean }): number {
+    return this.#store.session.fine || event.shiftKey ? FINE : 1;
+  }
+
+  #put(side: number, height: number, group: string): void {
+    const offset = withinLimit([side, height], this.#store.shot.miscueLimit);
+    this.#store.strike({ side: offset[0], height: offset[1] }, t("change.tip"), group);
+  }
+
+  #press(event: PointerEvent): void {
+    if (event.button !== 0) return;
+    this.#face.setPointerCapture(event.pointerId);
+    this.#wanted = this.#offset;
+    this.#last = { x: event.clientX, y: event.clientY };
+    if (this.#share(event) === 1) this.#follow(event);
+  }
+
+  #follow(event: PointerEvent): void {
+    if (!this.#last) return;
+    const box = this.#picture.drawing.getBoundingClientRect();
     const scale = 2.16 / box.width;
-    if (fine(event) === 1) {
-      wanted = {
+    if (this.#share(event) === 1) {
+      this.#wanted = {
         side: (event.clientX - box.left - box.width / 2) * scale,
         height: -(event.clientY - box.top - box.height / 2) * scale,
       };
     } else {
-      wanted = {
-        side: wanted.side + (event.clientX - last.x) * scale * FINE,
-        height: wanted.height - (event.clientY - last.y) * scale * FINE,
+      this.#wanted = {
+        side: this.#wanted.side + (event.clientX - this.#last.x) * scale * FINE,
+        height: this.#wanted.height - (event.clientY - this.#last.y) * scale * FINE,
       };
     }
-    last = { x: event.clientX, y: event.clientY };
-    put(wanted.side, wanted.height, "face");
+    this.#last = { x: event.clientX, y: event.clientY };
+    this.#put(this.#wanted.side, this.#wanted.height, "face");
   }
 
-  face.addEventListener("keydown", (event) => {
+  #release(): void {
+    this.#context.loop.flush();
+    this.#last = null;
+    this.#store.settle();
+  }
+
+  #key(event: KeyboardEvent): void {
     const by = ARROWS[event.key];
     if (by) {
-      const { side = 0, height = 0 } = store.document.shot.strike;
-      const step = STEP * fine(event);
-      put(side + by[0] * step, height + by[1] * step, "face-keys");
+      const { side, height } = this.#offset;
+      const step = STEP * this.#share(event);
+      this.#put(side + by[0] * step, height + by[1] * step, "face-keys");
     } else if (event.key === "Home") {
-      put(0, 0, "face-keys");
+      this.#put(0, 0, "face-keys");
     } else return;
     event.preventDefault();
     event.stopPropagation();
-  });
-  face.addEventListener("blur", () => {
-    store.settle();
-  });
-
-  function show(): void {
-    const { side = 0, height = 0 } = store.document.shot.strike;
-    draw(store.shot.miscueLimit, [side, height]);
-    const refused = store.session.refusal?.shot?.strike;
-    const off = refused && (refused.side !== side || refused.height !== height);
-    tried.style.display = off ? "" : "none";
-    if (off) at(tried, refused.side ?? 0, refused.height ?? 0);
-    face.setAttribute("aria-label", t("face.position", { offset: spokenOffset(side, height) }));
   }
-  store.subscribe(show);
-  show();
 }
 
 function at(circle: SVGCircleElement, side: number, height: number): void {

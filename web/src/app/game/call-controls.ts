@@ -16,12 +16,9 @@ type Kind = ShotRequest["calls"][number];
 export function mountCalls(root: HTMLElement, store: Store, context: Context): void {
   const { engine } = context;
   const kinds = h("div", { class: "row kinds", role: "group", "aria-label": t("call.group") });
-  const ball = h("select", { id: uniqueId("called-ball") });
-  const pocket = h("select", { id: uniqueId("called-pocket") });
-  const ballLabel = h("label", { for: ball.id });
-  const ballRow = h("div", { class: "labelled" }, ballLabel, ball);
-  const pocketLabel = h("label", { for: pocket.id }, t("call.called-pocket"));
-  const pocketRow = h("div", { class: "labelled" }, pocketLabel, pocket);
+  const [ball, ballLabel, ballRow] = labelledList("called-ball");
+  const [pocket, pocketLabel, pocketRow] = labelledList("called-pocket");
+  pocketLabel.textContent = t("call.called-pocket");
   const shown = h("button", { type: "button", class: "button" });
   const hint = h("p", { class: "hint" }, t("call.hint"));
   root.append(
@@ -32,27 +29,16 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
     hint,
   );
 
+  const write = () => {
+    const asked = askedShot(store, engine);
+    if (asked) announceCall(store, callOf(asked, ball.value, pocket.value));
+  };
   ball.addEventListener("change", write);
   pocket.addEventListener("change", write);
   shown.addEventListener("click", () => {
     const call = intendedCall(store, engine);
     if (call) announceCall(store, call);
   });
-
-  /** Writes the call that the two lists show. */
-  function write(): void {
-    const asked = askedShot(store, engine);
-    if (!asked) return;
-    if (asked.calls.includes("on")) {
-      announceCall(store, ball.value ? { kind: "on", ball: ball.value } : null);
-      return;
-    }
-    announceCall(store, {
-      kind: "pocket",
-      ...(ball.value && { ball: ball.value }),
-      ...(pocket.value && { into: pocket.value as NonNullable<Call["into"]> }),
-    });
-  }
 
   function say(kind: Kind): void {
     if (kind === "nothing") announceCall(store, null);
@@ -68,7 +54,7 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
     const nominates = asked.calls.includes("on");
     kinds.hidden = nominates;
     setText(ballLabel, t(nominates ? "call.nominated-ball" : "call.called-ball"));
-    showKinds(asked, call);
+    showKinds(kinds, asked.calls, call?.kind ?? "nothing", say);
     ballRow.hidden = !nominates && call?.kind !== "pocket";
     pocketRow.hidden = call?.kind !== "pocket";
     hint.hidden = ballRow.hidden;
@@ -80,23 +66,6 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
     if (suggested) setText(shown, t("call.from-aim", { call: callInWords(suggested) }));
   }
 
-  function showKinds({ calls }: ShotRequest, call: Call | null): void {
-    const now = call?.kind ?? "nothing";
-    if (kinds.dataset.kinds !== calls.join()) {
-      kinds.dataset.kinds = calls.join();
-      const button = (kind: Kind) =>
-        h(
-          "button",
-          { type: "button", class: "button", "data-kind": kind, onclick: () => say(kind) },
-          t(`call.${kind}`),
-        );
-      kinds.replaceChildren(...calls.map(button));
-    }
-    for (const button of kinds.querySelectorAll<HTMLElement>("button")) {
-      button.setAttribute("aria-pressed", String(button.dataset.kind === now));
-    }
-  }
-
   store.subscribe((now, before) => {
     const isSame =
       now.document === before.document &&
@@ -106,6 +75,43 @@ export function mountCalls(root: HTMLElement, store: Store, context: Context): v
     context.loop.input(root, show);
   });
   show();
+}
+
+/** Shows the kinds of calls as buttons, one of them pressed. */
+function showKinds(
+  row: HTMLElement,
+  kinds: readonly Kind[],
+  now: Kind,
+  say: (kind: Kind) => void,
+): void {
+  if (row.dataset.kinds !== kinds.join()) {
+    row.dataset.kinds = kinds.join();
+    row.replaceChildren(
+      ...kinds.map((kind) => {
+        const attributes = { type: "button", class: "button", "data-kind": kind };
+        return h("button", { ...attributes, onclick: () => say(kind) }, t(`call.${kind}`));
+      }),
+    );
+  }
+  for (const button of row.querySelectorAll<HTMLElement>("button"))
+    button.setAttribute("aria-pressed", String(button.dataset.kind === now));
+}
+
+/** A list with its label, in a row. */
+function labelledList(stem: string): [HTMLSelectElement, HTMLLabelElement, HTMLElement] {
+  const list = h("select", { id: uniqueId(stem) });
+  const label = h("label", { for: list.id });
+  return [list, label, h("div", { class: "labelled" }, label, list)];
+}
+
+/** The call that the two lists show. */
+function callOf({ calls }: ShotRequest, ball: string, pocket: string): Call | null {
+  if (calls.includes("on")) return ball ? { kind: "on", ball } : null;
+  return {
+    kind: "pocket",
+    ...(ball && { ball }),
+    ...(pocket && { into: pocket as NonNullable<Call["into"]> }),
+  };
 }
 
 /** The balls that may be called or nominated. */

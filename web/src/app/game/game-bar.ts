@@ -6,7 +6,7 @@ import type { Context } from "../common/context.ts";
 import { focusWhileScrolling, h, setText } from "../common/dom.ts";
 import { gameName } from "../common/preset-names.ts";
 import { leave } from "../replay/replay-control.ts";
-import type { Store } from "../document/store.ts";
+import type { State, Store } from "../document/store.ts";
 import type { Game, Setup } from "../document/stored-game.ts";
 import { presentCall } from "./calling.ts";
 import { mountMachine } from "./machine/thinking-sign.ts";
@@ -34,71 +34,81 @@ import { capital, sentence, t } from "../words/translate.ts";
 const REST = 700;
 
 export function mountBar(root: HTMLElement, store: Store, context: Context): void {
-  const { engine } = context;
-  const score = h("p", { class: "score" });
-  const title = h("strong");
-  const asked = h("span");
-  const ruling = h("p", { class: "ruling" });
-  const said = h("div", { role: "status", "aria-live": "polite" }, ruling);
-  said.append(h("p", { class: "asked" }, title, " ", asked));
-  const answers = h("div", { class: "row answers", hidden: true });
-  const machine = h("div", { class: "row machine" });
-  const step = h("div", { class: "row step" });
-  const study = h("div", { class: "row study", hidden: true });
-  root.append(score, said, answers, step, machine, study);
-  mountStudy(study, store, context);
-  focusWhileScrolling(root, score, said, answers);
-  mountStep(step, store, context);
-  const clock = h("div", { class: "shot-clock" });
-  root.append(clock);
-  mountClock(clock, store, context);
-  mountTray(document.getElementById("stage")!, store, context);
-  mountMachine(machine, store, context);
+  const bar = new GameBar(root, store, context);
+  store.subscribe((now, before) => {
+    bar.follow(now, before);
+    if (now.session !== before.session) bar.followReplay(now, before);
+  });
+  bar.show();
+}
 
-  function show(): void {
-    const { game } = store.document;
-    root.hidden = game === null && !store.document.study;
-    score.hidden = said.hidden = game === null;
-    if (game === null) answers.hidden = true;
-    const progress = standing(store, engine);
-    if (!game || !progress) return;
-    const watching = store.session.mode === "replay";
-    const last = progress.steps.at(-1);
-    // The bar must not reveal the outcome while the shot is replayed.
-    const shown = watching ? replayedMove(store, engine) : null;
-    const state = shown === null ? progress.frame.state : progress.steps[shown]!.before;
-    const { names } = game.setup;
-    showScore(score, engine, game, state);
-    const rulingText = watching || !last ? "" : rulingInWords(last, names);
-    const { request } = state;
-    const over = request.kind === "over";
-    const known = request.kind === "choice" && rulingText.includes(refereeText(request.why));
-    setText(ruling, rulingText);
-    ruling.dataset.foul = String(!watching && last?.ruling.legal === false);
-    setText(title, watching || over ? "" : sentence(headline(request, names, game.here)));
-    setText(
-      asked,
-      watching || over || known ? "" : requestInWords(state, presentCall(store, engine)),
-    );
-    showAnswers(answers, watching ? null : state, game);
+class GameBar {
+  readonly #root: HTMLElement;
+  readonly #store: Store;
+  readonly #context: Context;
+  readonly #score = h("p", { class: "score" });
+  readonly #title = h("strong");
+  readonly #asked = h("span");
+  readonly #ruling = h("p", { class: "ruling" });
+  readonly #said = h(
+    "div",
+    { role: "status", "aria-live": "polite" },
+    this.#ruling,
+    h("p", { class: "asked" }, this.#title, " ", this.#asked),
+  );
+  readonly #answers = h("div", { class: "row answers", hidden: true });
+  #resting: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(root: HTMLElement, store: Store, context: Context) {
+    this.#root = root;
+    this.#store = store;
+    this.#context = context;
+    const machine = h("div", { class: "row machine" });
+    const step = h("div", { class: "row step" });
+    const study = h("div", { class: "row study", hidden: true });
+    const clock = h("div", { class: "shot-clock" });
+    root.append(this.#score, this.#said, this.#answers, step, machine, study, clock);
+    mountStudy(study, store, context);
+    focusWhileScrolling(root, this.#score, this.#said, this.#answers);
+    mountStep(step, store, context);
+    mountClock(clock, store, context);
+    mountTray(document.getElementById("stage")!, store, context);
+    mountMachine(machine, store, context);
   }
 
-  function showAnswers(row: HTMLElement, state: FrameState | null, game: Game): void {
-    const request = state?.request;
-    const buttons: HTMLElement[] = [];
-    if (request?.kind === "choice" && isPerson(store, request.player)) {
-      const opponent = game.setup.names[other(request.player)];
-      for (const choice of request.choices) {
-        const label = capital(choiceInWords(choice, opponent));
-        buttons.push(answer(label, () => choose(store, context, choice)));
-      }
-    } else if (request?.kind === "over") {
-      const { race } = game.setup;
-      const { winner } = request;
-      const isEnd = race && raceWinner(race, winner) !== null;
-      const label = !race ? t("table.another") : t(isEnd ? "race.another" : "race.next");
-      buttons.push(answer(label, () => startNext(store, context, winner)));
-    }
+  show(): void {
+    const { game, study } = this.#store.document;
+    const { engine } = this.#context;
+    this.#root.hidden = game === null && !study;
+    this.#score.hidden = this.#said.hidden = game === null;
+    if (game === null) this.#answers.hidden = true;
+    const progress = standing(this.#store, engine);
+    if (!game || !progress) return;
+    const watching = this.#store.session.mode === "replay";
+    // The bar must not reveal the outcome while the shot is replayed.
+    const shown = watching ? replayedMove(this.#store, engine) : null;
+    const state = shown === null ? progress.frame.state : progress.steps[shown]!.before;
+    showScore(this.#score, engine, game, state);
+    const last = watching ? undefined : progress.steps.at(-1);
+    this.#showRequest(game, state, last ? rulingInWords(last, game.setup.names) : "");
+    this.#ruling.dataset.foul = String(last?.ruling.legal === false);
+    this.#showAnswers(watching ? null : state, game);
+  }
+
+  /** @param ruling The last ruling; empty while a shot is replayed. */
+  #showRequest({ setup, here }: Game, state: FrameState, ruling: string): void {
+    const { request } = state;
+    const isQuiet = this.#store.session.mode === "replay" || request.kind === "over";
+    const isKnown = request.kind === "choice" && ruling.includes(refereeText(request.why));
+    setText(this.#ruling, ruling);
+    setText(this.#title, isQuiet ? "" : sentence(headline(request, setup.names, here)));
+    const call = () => presentCall(this.#store, this.#context.engine);
+    setText(this.#asked, isQuiet || isKnown ? "" : requestInWords(state, call()));
+  }
+
+  #showAnswers(state: FrameState | null, game: Game): void {
+    const row = this.#answers;
+    const buttons = state ? this.#buttons(state, game) : [];
     const texts = (all: Iterable<Element>) => [...all].map((button) => button.textContent).join();
     if (texts(row.children) === texts(buttons)) return;
     // The pressed button disappears; its focus moves to the table, where the game continues.
@@ -107,30 +117,47 @@ export function mountBar(root: HTMLElement, store: Store, context: Context): voi
     row.hidden = buttons.length === 0;
   }
 
-  let resting: ReturnType<typeof setTimeout> | undefined;
-  store.subscribe((now, before) => {
-    const { session, document } = now;
+  #buttons({ request }: FrameState, { setup }: Game): HTMLElement[] {
+    if (request.kind === "choice" && isPerson(this.#store, request.player)) {
+      const opponent = setup.names[other(request.player)];
+      return request.choices.map((choice) => {
+        const label = capital(choiceInWords(choice, opponent));
+        return answer(label, () => choose(this.#store, this.#context, choice));
+      });
+    }
+    if (request.kind !== "over") return [];
+    const { race } = setup;
+    const { winner } = request;
+    const isEnd = race && raceWinner(race, winner) !== null;
+    const label = !race ? t("table.another") : t(isEnd ? "race.another" : "race.next");
+    return [answer(label, () => startNext(this.#store, this.#context, winner))];
+  }
+
+  follow({ session, document: now }: State, before: State): void {
     const isOther =
-      session.mode !== before.session.mode || session.replay.trace !== before.session.replay.trace;
-    const isOtherGame =
-      document.game !== before.document.game || document.study !== before.document.study;
-    if (isOtherGame || isOther) show();
+      session.mode !== before.session.mode ||
+      session.replay.trace !== before.session.replay.trace ||
+      now.game !== before.document.game ||
+      now.study !== before.document.study;
+    if (isOther) this.show();
     // The call follows the aim.
     else if (
-      document.game &&
-      (document.shot !== before.document.shot || session.orientation !== before.session.orientation)
+      now.game &&
+      (now.shot !== before.document.shot || session.orientation !== before.session.orientation)
     ) {
-      context.loop.input(root, show);
+      this.#context.loop.input(this.#root, () => this.show());
     }
-    if (session === before.session) return;
-    clearTimeout(resting);
+  }
+
+  /** Leaves the replay of the last shot some time after its end. */
+  followReplay({ session, document: now }: State, before: State): void {
+    clearTimeout(this.#resting);
     const { trace, playing, time } = session.replay;
     const ended = trace && before.session.replay.playing && !playing && time >= trace.duration;
     // After an older shot the replay stays, for a step to another one.
-    const isLast = trace === standing(store, engine)?.trace;
-    if (document.game && ended && isLast) resting = setTimeout(() => leave(store), REST);
-  });
-  show();
+    const isLast = trace === standing(this.#store, this.#context.engine)?.trace;
+    if (now.game && ended && isLast) this.#resting = setTimeout(() => leave(this.#store), REST);
+  }
 }
 
 /** While a shot of a game is analysed: which one it is, and the way back. */
