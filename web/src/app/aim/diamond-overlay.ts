@@ -1,7 +1,7 @@
 /** The overlay of a diamond system: its numbers at the diamonds, its target, and the engine's. */
 
 import "./diamond-overlay.css";
-import { CaromError, type Point } from "../../engine/index.ts";
+import { CaromError, type Geometry, type Point } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText, svg } from "../common/dom.ts";
 import { shownGuide } from "../document/guide-extent.ts";
@@ -30,6 +30,13 @@ export function mountDiamonds(stage: HTMLElement, store: Store, context: Context
   /** Where the table was in the picture when the overlay was drawn. */
   let drawn = "";
 
+  /** Where a place at the height of the noses is on the stage; null if it is not in the picture. */
+  const onStage = ([x, y]: Point): Point | null => {
+    const at = context.viewer.project(x, y, store.shot.geometry.cushion_height);
+    const area = stage.getBoundingClientRect();
+    return at && [at[0] - area.left, at[1] - area.top];
+  };
+
   function read(): void {
     const wanted = store.session.overlays.diamonds && store.session.mode === "aim";
     root.hidden = !wanted || shownGuide(store) !== "full";
@@ -52,7 +59,7 @@ export function mountDiamonds(stage: HTMLElement, store: Store, context: Context
     ]);
     if (place !== drawn) {
       drawn = place;
-      picture.replaceChildren(...(reading ? shapes(reading) : []));
+      picture.replaceChildren(...(reading ? shapes(reading, store.shot.geometry, onStage) : []));
     }
     if (!waiting) {
       waiting = true;
@@ -64,37 +71,6 @@ export function mountDiamonds(stage: HTMLElement, store: Store, context: Context
   }
   let waiting = false;
 
-  function shapes({ numbers, places }: Reading): SVGElement[] {
-    const { size, cushion_height: height } = store.shot.geometry;
-    const area = stage.getBoundingClientRect();
-    const on = ([x, y]: Point): Point | null => {
-      const at = context.viewer.project(x, y, height);
-      return at && [at[0] - area.left, at[1] - area.top];
-    };
-    const label = (at: Point, number: number, kind: string): SVGElement[] => {
-      const place = on(at);
-      if (!place) return [];
-      const said = svg("text", { class: kind, x: place[0], y: place[1] });
-      said.textContent = decimal(number, 1).replace(/[.,]0$/, "");
-      return [said];
-    };
-    const ring = (at: Point | null, kind: string): SVGElement[] => {
-      const place = at && on(at);
-      return place ? [svg("circle", { class: kind, cx: place[0], cy: place[1], r: MARK })] : [];
-    };
-    const [from, over] = [on(places.from), on(places.over)];
-    return [
-      ...(from && over
-        ? [svg("line", { x1: from[0], y1: from[1], x2: over[0], y2: over[1] })]
-        : []),
-      ...numbers.flatMap(({ at, number, scale }) =>
-        label(aside(at, size!, scale === "line" ? BEHIND : -BEFORE), number, scale),
-      ),
-      ...ring(places.predicted, "predicted"),
-      ...ring(places.actual, "actual"),
-    ];
-  }
-
   store.subscribe((now, before) => {
     const { session } = now;
     const isSame =
@@ -104,6 +80,34 @@ export function mountDiamonds(stage: HTMLElement, store: Store, context: Context
       session.attempt === before.session.attempt;
     if (!isSame) context.loop.input(root, read);
   });
+}
+
+/** The numbers, the line and the marks of a reading. @param on Where a place is in the picture. */
+function shapes(
+  { numbers, places }: Reading,
+  { size }: Geometry,
+  on: (place: Point) => Point | null,
+): SVGElement[] {
+  const label = (at: Point, number: number, kind: string): SVGElement[] => {
+    const place = on(at);
+    if (!place) return [];
+    const said = svg("text", { class: kind, x: place[0], y: place[1] });
+    said.textContent = decimal(number, 1).replace(/[.,]0$/, "");
+    return [said];
+  };
+  const ring = (at: Point | null, kind: string): SVGElement[] => {
+    const place = at && on(at);
+    return place ? [svg("circle", { class: kind, cx: place[0], cy: place[1], r: MARK })] : [];
+  };
+  const [from, over] = [on(places.from), on(places.over)];
+  return [
+    ...(from && over ? [svg("line", { x1: from[0], y1: from[1], x2: over[0], y2: over[1] })] : []),
+    ...numbers.flatMap(({ at, number, scale }) =>
+      label(aside(at, size!, scale === "line" ? BEHIND : -BEFORE), number, scale),
+    ),
+    ...ring(places.predicted, "predicted"),
+    ...ring(places.actual, "actual"),
+  ];
 }
 
 /** A place behind (or before, if negative) the line of sights. */

@@ -31,22 +31,9 @@ export function mountDock(
 ): void {
   const text = h("p", { class: "outcome", id: "outcome" });
   const warning = h("p", { class: "warning" });
-  const remedy = h(
-    "button",
-    { type: "button", class: "button", onclick: () => raiseTheCue(store) },
-    t("aim.raise"),
-  );
-  const button = h(
-    "button",
-    {
-      type: "button",
-      class: "button primary shoot",
-      id: "shoot-button",
-      onclick: () => shoot(store, context),
-    },
-    icon("M5 19L15 9M15 9l4-4M17 3l4 4"),
-    t("aim.shoot"),
-  );
+  const raise = () => raiseTheCue(store);
+  const remedy = h("button", { type: "button", class: "button", onclick: raise }, t("aim.raise"));
+  const button = shootButton(() => shoot(store, context));
   const spoken = h("p", { class: "unseen", role: "status", "aria-live": "polite" });
   const power = h("div", { class: "power" });
   mountPower(power, store, context);
@@ -124,6 +111,11 @@ function secondTap(store: Store): string {
 /** The outcome, whose first sentence tells what is hit, with how it is hit. */
 function withHit([first = "", ...rest]: readonly string[], hit: string): string[] {
   return [first, hit, ...rest];
+}
+
+function shootButton(onclick: () => void): HTMLButtonElement {
+  const attributes = { type: "button", class: "button primary shoot", id: "shoot-button", onclick };
+  return h("button", attributes, icon("M5 19L15 9M15 9l4-4M17 3l4 4"), t("aim.shoot"));
 }
 
 /** A small cue ball with the tip position; it opens the panel that changes it. */

@@ -1,6 +1,6 @@
 /** The list of events, in text; a press on an event goes to its time. */
 
-import type { Trace } from "../../engine/index.ts";
+import type { Trace, TraceEvent } from "../../engine/index.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { momentsOf, seek } from "./replay-control.ts";
@@ -19,25 +19,7 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
   root.append(
     heading,
     h("div", { class: "row" }, only, onlyLabel),
-    h(
-      "div",
-      { class: "events" },
-      h(
-        "table",
-        { "aria-labelledby": heading.id },
-        h(
-          "thead",
-          {},
-          h(
-            "tr",
-            {},
-            h("th", { scope: "col" }, t("events.second")),
-            h("th", { scope: "col" }, t("events.event")),
-          ),
-        ),
-        body,
-      ),
-    ),
+    h("div", { class: "events" }, h("table", { "aria-labelledby": heading.id }, head(), body)),
   );
   let shown: Trace | null = null;
   /** The orientation of the picture as which rails and pockets are named. */
@@ -48,21 +30,7 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
 
   const fill = (trace: Trace): void => {
     setText(heading, t("events.count", { count: trace.events.length }));
-    body.replaceChildren(
-      ...trace.events.map((event) => {
-        const go = () => {
-          seek(store, event.time);
-        };
-        const words = h(
-          "button",
-          { type: "button", class: "go", onclick: go },
-          eventInWords(event),
-        );
-        const kind = h("span", { class: "kind", title: t(`kind.${event.type}`) }, mark(event.type));
-        const time = h("td", { class: "time" }, decimal(event.time, 3));
-        return h("tr", {}, time, h("td", {}, h("div", { class: "event" }, kind, words)));
-      }),
-    );
+    body.replaceChildren(...trace.events.map((event) => rowOf(store, event)));
     current = [];
   };
 
@@ -88,6 +56,22 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
     const row = rows[now[0] ?? 0];
     if (row) keepInView(row);
   };
+}
+
+function head(): HTMLElement {
+  const [time, event] = [t("events.second"), t("events.event")].map((text) =>
+    h("th", { scope: "col" }, text),
+  );
+  return h("thead", {}, h("tr", {}, time, event));
+}
+
+/** The row of an event; a press goes to its time. */
+function rowOf(store: Store, event: TraceEvent): HTMLElement {
+  const onclick = () => seek(store, event.time);
+  const words = h("button", { type: "button", class: "go", onclick }, eventInWords(event));
+  const kind = h("span", { class: "kind", title: t(`kind.${event.type}`) }, mark(event.type));
+  const time = h("td", { class: "time" }, decimal(event.time, 3));
+  return h("tr", {}, time, h("td", {}, h("div", { class: "event" }, kind, words)));
 }
 
 /** Scrolls the list, but not the page around it. */

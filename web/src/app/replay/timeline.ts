@@ -95,12 +95,7 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
     const events = moment?.events.map((index) => trace.events[index]!) ?? [];
     const words = events.map(eventInWords).join(t("ruling.gap"));
     const ended = time >= trace.duration;
-    const label = t(playing ? "replay.pause" : ended ? "replay.again" : "replay.play");
-    if (play.getAttribute("aria-label") !== label) {
-      play.setAttribute("aria-label", label);
-      play.title = label;
-      play.replaceChildren(icon(playing ? ICONS.pause : ICONS.play));
-    }
+    showPlay(play, playing, ended);
     slider.max = String(trace.duration);
     slider.value = String(time);
     const times = { time: seconds(time), duration: seconds(trace.duration) };
@@ -112,6 +107,15 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
     setText(whole, t("replay.whole", { duration: times.duration }));
     setText(eventText, moment ? at(moment.time, words) : "");
   }
+}
+
+/** What the button does next: its name and its icon. */
+function showPlay(play: HTMLButtonElement, playing: boolean, ended: boolean): void {
+  const label = t(playing ? "replay.pause" : ended ? "replay.again" : "replay.play");
+  if (play.getAttribute("aria-label") === label) return;
+  play.setAttribute("aria-label", label);
+  play.title = label;
+  play.replaceChildren(icon(playing ? ICONS.pause : ICONS.play));
 }
 
 /** Events with their time, s. */

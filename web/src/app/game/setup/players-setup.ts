@@ -1,6 +1,6 @@
 /** The players in the set-up: their names, and whether a person or a machine plays. */
 
-import type { Seat } from "../../../engine/index.ts";
+import type { Engine, Seat } from "../../../engine/index.ts";
 import type { Context } from "../../common/context.ts";
 import { h, uniqueId } from "../../common/dom.ts";
 import { levelName } from "../../common/preset-names.ts";
@@ -34,19 +34,7 @@ export function mountPlayers(
   root: HTMLElement,
   { engine }: Context,
 ): { readonly read: () => Players; readonly show: (rules: string) => void } {
-  const levels = Object.keys(engine.noisePresets);
-  const rows = [0, 1].map((player): Row => {
-    const by = select([
-      ["", t("setup.person")],
-      [FRIEND, t("setup.friend")],
-      ...LEVELS.map((level): [string, string] => [level, machineName(level)]),
-    ]);
-    const errors = select([
-      ["", t("setup.no-errors")],
-      ...levels.map((level): [string, string] => [level, levelName(level)]),
-    ]);
-    return { name: nameField(player), by, errors };
-  }) as [Row, Row];
+  const rows = [rowOf(engine, 0), rowOf(engine, 1)] as const;
   const names = rows.map(({ name, by }, player) =>
     h(
       "div",
@@ -95,22 +83,39 @@ export function mountPlayers(
       rules = shown;
       show();
     },
-    read: () => {
-      const pair = <T>(read: (row: Row, player: number) => T): Pair<T> => [
-        read(rows[0], 0),
-        read(rows[1], 1),
-      ];
-      const machines = pair((row) => (isMachine(row) ? row.by.value : null));
-      const friend = rows.findIndex(({ by }) => by.value === FRIEND);
-      return {
-        setup: {
-          names: pair(({ name, by }, player) => name.value.trim() || usualName(player, by.value)),
-          skills: pair((row) => (isMachine(row) ? null : row.errors.value || null)),
-          ...(machines.some(Boolean) && { machines }),
-        },
-        here: friend < 0 || isForOne(engine, rules) ? undefined : friend === 0 ? 1 : 0,
-      };
+    read: () => playersOf(rows, isForOne(engine, rules)),
+  };
+}
+
+function rowOf(engine: Engine, player: Seat): Row {
+  const by = select([
+    ["", t("setup.person")],
+    [FRIEND, t("setup.friend")],
+    ...LEVELS.map((level): [string, string] => [level, machineName(level)]),
+  ]);
+  const levels = Object.keys(engine.noisePresets);
+  const errors = select([
+    ["", t("setup.no-errors")],
+    ...levels.map((level): [string, string] => [level, levelName(level)]),
+  ]);
+  return { name: nameField(player), by, errors };
+}
+
+/** @param isAlone Whether the game is for one player. */
+function playersOf(rows: readonly [Row, Row], isAlone: boolean): Players {
+  const pair = <T>(read: (row: Row, player: number) => T): Pair<T> => [
+    read(rows[0], 0),
+    read(rows[1], 1),
+  ];
+  const machines = pair((row) => (isMachine(row) ? row.by.value : null));
+  const friend = rows.findIndex(({ by }) => by.value === FRIEND);
+  return {
+    setup: {
+      names: pair(({ name, by }, player) => name.value.trim() || usualName(player, by.value)),
+      skills: pair((row) => (isMachine(row) ? null : row.errors.value || null)),
+      ...(machines.some(Boolean) && { machines }),
     },
+    here: friend < 0 || isAlone ? undefined : friend === 0 ? 1 : 0,
   };
 }
 
