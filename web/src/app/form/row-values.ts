@@ -49,7 +49,7 @@ export function rowKind(
   return [kind, kind !== usual];
 }
 
-/** The changes of the file with another value at `path`; a value of the preset is no change. */
+/** The changes of the file with another value at `path`; a value equal to that of the preset is left out. */
 export function changesWith(
   { now, base, changes }: FormValues,
   path: readonly string[],

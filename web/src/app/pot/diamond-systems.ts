@@ -211,7 +211,7 @@ function reading(
   };
 }
 
-/** Diamonds along the rails of a way. */
+/** Diamonds along the rails that a ball meets. */
 interface Scale {
   readonly home: Rail;
   readonly first: Rail;

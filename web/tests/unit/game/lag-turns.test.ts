@@ -20,12 +20,12 @@ function after(...lags: readonly Lag[]) {
   return { ...result, next: lagging(result.turns) };
 }
 
-test("the first player lags first, and nobody has won before the second one has", () => {
+test("the first player lags first, and the lag of the second one is awaited", () => {
   expect(lagging(FIRST_TURN)).toBe(0);
   expect(after(stopsAt(0.1))).toMatchObject({ next: 1, winner: null });
 });
 
-test("two lags decide who wins, and nobody lags after them", () => {
+test("two lags decide who wins, and end the turns", () => {
   expect(after(stopsAt(0.1), stopsAt(0.2))).toMatchObject({ next: null, winner: 0 });
   expect(after(BAD, stopsAt(0.2))).toMatchObject({ next: null, winner: 1 });
 });

@@ -47,7 +47,7 @@ class LagDialog {
     this.#ask(0);
   }
 
-  /** A person is asked for the speed; a machine plays at once. */
+  /** Lets a person choose the speed; a machine plays at once. */
   #ask(player: Seat): void {
     const { setup } = this.#game;
     if (machineOf(setup, player) !== null) {

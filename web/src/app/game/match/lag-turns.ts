@@ -20,7 +20,7 @@ export function lagging({ lags }: LagTurns): Seat | null {
   return lags.length === 0 ? 0 : lags.length === 1 ? 1 : null;
 }
 
-/** The turns after a lag, and who has won; null: nobody yet. If both are equal or bad, they begin again. */
+/** The turns after a lag, and the winner, if there is one. If both are equal or bad, they begin again. */
 export function turnsAfter(
   { repeated, lags }: LagTurns,
   lag: Lag,
