@@ -4,7 +4,7 @@ import "./analyse-panel.css";
 import type { Recommendation } from "../../engine/index.ts";
 import ThinkerWorker from "../../engine/thinker-worker.ts?worker&inline";
 import type { Context } from "../common/context.ts";
-import { h, setText, uniqueId } from "../common/dom.ts";
+import { h, labelled, setText, uniqueId } from "../common/dom.ts";
 import { gameName, levelName } from "../common/preset-names.ts";
 import { changeUnpressed } from "../common/press.ts";
 import type { State, Store } from "../document/store.ts";
@@ -335,8 +335,4 @@ function fact(name: string, value: string): HTMLElement {
 
 function rulesName(name: string): string {
   return name === "straight-pool" ? t("lines.any-ball") : gameName(name);
-}
-
-function labelled(text: string, select: HTMLSelectElement): HTMLElement {
-  return h("div", { class: "labelled" }, h("label", { for: select.id }, text), select);
 }

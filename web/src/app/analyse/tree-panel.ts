@@ -2,7 +2,7 @@
 
 import { CaromError, type Engine } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
-import { h, setText, uniqueId } from "../common/dom.ts";
+import { h, labelled, setText, uniqueId } from "../common/dom.ts";
 import { changeUnpressed } from "../common/press.ts";
 import { errorText } from "../common/refusals.ts";
 import { ballName, pocketName } from "../common/shot-words.ts";
@@ -206,8 +206,4 @@ class TreePanel {
 
 function button(id: string, label: string, onclick: () => void): HTMLButtonElement {
   return h("button", { type: "button", class: "button", id, onclick }, label);
-}
-
-function labelled(text: string, field: HTMLTextAreaElement): HTMLElement {
-  return h("div", { class: "labelled" }, h("label", { for: field.id }, text), field);
 }

@@ -38,6 +38,16 @@ function dress<E extends Element>(element: E, attributes: Attributes, children: 
   return element;
 }
 
+/** @param kind Further classes, such as `primary`. */
+export function button(text: string, onclick: () => void, kind = ""): HTMLButtonElement {
+  return h("button", { type: "button", class: `button ${kind}`.trim(), onclick }, text);
+}
+
+/** A control below its label; the control has an id. */
+export function labelled(text: string, control: HTMLElement): HTMLElement {
+  return h("div", { class: "labelled" }, h("label", { for: control.id }, text), control);
+}
+
 let lastId = 0;
 
 /** An id that no other element has, so that a label can refer to it. */

@@ -1,7 +1,7 @@
 /** Below the table when a friend is to play: the link that sends the move. */
 
 import type { Context } from "../common/context.ts";
-import { h, setText } from "../common/dom.ts";
+import { button, h, setText } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { standing, waitsForFriend } from "../game/awaited-turn.ts";
 import { other } from "../game/game-words.ts";
@@ -71,8 +71,4 @@ export function mountFriend(root: HTMLElement, store: Store, context: Context): 
     }
   });
   show();
-}
-
-function button(text: string, onclick: () => void): HTMLButtonElement {
-  return h("button", { type: "button", class: "button", onclick }, text);
 }

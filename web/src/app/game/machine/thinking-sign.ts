@@ -1,7 +1,7 @@
 /** The sign that a machine thinks, below the table, and its buttons. */
 
 import type { Context } from "../../common/context.ts";
-import { h, setText } from "../../common/dom.ts";
+import { button, h, setText } from "../../common/dom.ts";
 import type { Store } from "../../document/store.ts";
 import { replay } from "../../replay/replay-control.ts";
 import { playDecision } from "../game-actions.ts";
@@ -59,8 +59,4 @@ export function mountMachine(root: HTMLElement, store: Store, context: Context):
     if (now.session.activity === "play") prepareThinker(context.engine);
   });
   turns.consider();
-}
-
-function button(text: string, onclick: () => void): HTMLButtonElement {
-  return h("button", { type: "button", class: "button", onclick }, text);
 }

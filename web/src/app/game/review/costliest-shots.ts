@@ -2,7 +2,7 @@
 
 import { CaromError, type Engine, type Outcome, type ShotFile } from "../../../engine/index.ts";
 import type { Context } from "../../common/context.ts";
-import { h, setText } from "../../common/dom.ts";
+import { button, h, setText } from "../../common/dom.ts";
 import { errorText } from "../../common/refusals.ts";
 import { changeUnpressed } from "../../common/press.ts";
 import { ballName, pocketName } from "../../common/shot-words.ts";
@@ -133,8 +133,4 @@ function playText({ pocketed, cue_ball: cue, first_contact: first }: Outcome): s
   const drop = pocketed.find(([ball]) => ball !== cue);
   if (drop) return t("reason.pot", { ball: ballName(drop[0]), pocket: pocketName(drop[1]) });
   return first === null ? t("reason.safety") : t("reason.safety-off", { ball: ballName(first) });
-}
-
-function button(text: string, onclick: () => void): HTMLButtonElement {
-  return h("button", { type: "button", class: "button", onclick }, text);
 }
