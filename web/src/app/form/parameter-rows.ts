@@ -178,8 +178,7 @@ class ParameterForm {
       this.#set(written, valueAt(base, written));
       this.#store.settle();
     };
-    // Repeated hints are not shown, but read aloud.
-    const hint = isHintRepeated ? "hint unseen" : "hint";
+    const id = `${input.id}-hint`;
     return h(
       "div",
       { class: "parameter" },
@@ -191,7 +190,8 @@ class ParameterForm {
         h("span", { class: "unit" }, unit === "deg" ? "°" : unit),
         back(t("parameter.reset-named", { name: nameOfPath(path) }), reset),
       ),
-      h("p", { class: hint, id: `${input.id}-hint` }, description),
+      // A repeated hint is not shown, but read aloud.
+      h("p", { class: isHintRepeated ? "hint unseen" : "hint", id }, description),
     );
   }
 
