@@ -140,4 +140,7 @@ def __getattr__(name: str) -> object:
     if name == "show":
         warn("carom.page.show()", "carom.notebook.show()")
         return import_module("carom.notebook").show
+    if name == "frame":
+        warn("carom.page.frame()", "carom.page.iframe()")
+        return iframe
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -147,6 +147,12 @@ def test_arguments_of_a_wrong_type_are_refused_by_name(pot: dict[str, Any]) -> N
             page.iframe(shot, height=height)  # type: ignore[arg-type]
 
 
+def test_the_old_name_of_iframe_still_works() -> None:
+    with pytest.warns(FutureWarning, match=r"carom\.page\.frame\(\) is now carom\.page\.iframe"):
+        old: Any = page.frame
+    assert old is page.iframe
+
+
 def test_a_file_that_is_not_the_page_is_refused(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, pot: dict[str, Any]
 ) -> None:
