@@ -111,12 +111,13 @@ class GameState(Record):
     """Values that only one game has; the keys are those of the frame's game.
 
     Attributes:
-        groups: Eight-ball: each player's group; None while the table is open.
+        groups: Eight-ball, heyball: each player's group; None while the table is open.
         on: Snooker: what is on: ``red``, ``color``, or ``sequence``, the colours in order.
         free_ball: Snooker: whether there is a free ball.
         break_: Snooker: points of the present break; the key is ``break``.
         points_left: Snooker: the most that the balls on the table are worth.
-        innings: Three-cushion: number of innings that each player has begun.
+        misses: Six-red snooker: fouls and misses in a row of the same player.
+        innings: Carom games: number of innings that each player has begun.
     """
 
     __slots__ = ()
@@ -126,6 +127,7 @@ class GameState(Record):
     free_ball: bool
     break_: int
     points_left: int
+    misses: int
     innings: list[int]
 
 

@@ -413,8 +413,9 @@ class Frame:
     def state(self) -> GameState:
         """Values that only this game has.
 
-        ``groups`` in eight-ball; ``on``, ``free_ball``, ``break`` and ``points_left`` (the most
-        that the balls on the table are worth) in snooker; ``innings`` in three-cushion.
+        ``groups`` in eight-ball and heyball; ``on``, ``free_ball``, ``break`` and ``points_left``
+        (the most that the balls on the table are worth) in snooker, and ``misses`` too in six-red;
+        ``innings`` in carom games.
         """
         return GameState(self.to_dict()["state"])
 

@@ -103,7 +103,7 @@ export interface FrameState {
   readonly balls: Readonly<Record<string, Point>>;
   /** The state that is specific to the game. */
   readonly state: {
-    /** Eight-ball: each player's group; null while the table is open. */
+    /** Eight-ball, heyball: each player's group; null while the table is open. */
     readonly groups?: readonly ["solids" | "stripes" | null, "solids" | "stripes" | null];
     /** Snooker: the ball on, whether there is a free ball, and the points of the present break. */
     readonly on?: "red" | "color" | "sequence";
@@ -111,7 +111,9 @@ export interface FrameState {
     readonly break?: number;
     /** Snooker: the most points that the balls on the table can score. */
     readonly points_left?: number;
-    /** Three-cushion: innings of each player. */
+    /** Six-red snooker: fouls and misses in a row of the same player. */
+    readonly misses?: number;
+    /** Carom games: innings of each player. */
     readonly innings?: readonly [number, number];
   };
 }
