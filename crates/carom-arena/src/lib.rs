@@ -7,6 +7,7 @@
 //!   [`ArenaFrame::next`] gives the next request, [`ArenaFrame::answer`] takes the answer.
 //! - [`play_match`] plays the pairs of a [`MatchPlan`] on all cores. A folder holds what was played,
 //!   so that an interrupted match goes on where it stopped, to the same bytes.
+//! - [`MatchPlayer`] is who answers: a built-in player, or a program of one's own.
 //! - [`BuiltInPlayer`] makes a player from its name, such as `carom:2000`.
 //! - [`MatchScore`], [`PairScores`] and [`SequentialTest`] are the statistics.
 //! - [`replay()`] plays a record, `carom-match/1`, again and compares every bit.
@@ -49,6 +50,7 @@ mod clock;
 mod error;
 mod hold;
 mod ledger;
+mod match_player;
 mod moves;
 mod record;
 mod replay;
@@ -65,6 +67,7 @@ pub use built_in::{BuiltInPlayer, MOST_PLANNED};
 pub use clock::{Clock, ClockPeriod, ClockUnit, Cost, expected_shots};
 pub use error::ArenaError;
 pub use ledger::RECORD;
+pub use match_player::{MatchPlayer, Response};
 pub use moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
 pub use record::{MATCH_FORMAT, MatchHeader};
 pub use replay::{RecordDifference, Replay, positions, replay};

@@ -7,7 +7,7 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use carom::format::{Node, Reader};
 use carom::runner::Runner;
 use carom::{Error, ErrorKind};
-use carom_mind::{Budget, Player, Spent};
+use carom_mind::{Budget, Spent};
 use carom_plan::Progress;
 use carom_rules::FrameSimulator;
 
@@ -15,7 +15,7 @@ use crate::arena_frame::{ArenaFrame, NextStep};
 use crate::clock::Cost;
 use crate::error::ArenaError;
 use crate::ledger::{Ledger, RECORD};
-use crate::moves::EndReason;
+use crate::match_player::{MatchPlayer, Response};
 use crate::record::{MatchHeader, frame_line, read_agreement};
 use crate::score::{FramePoints, MatchScore};
 use crate::secret::Secret;
@@ -85,7 +85,7 @@ struct Scoreboard {
 /// [`ArenaError::Input`] for a plan out of range, for a folder with another match or a damaged
 /// file, and for the errors of `make_player`; [`ArenaError::File`] if a file cannot be read or
 /// written. All pairs that had ended before are kept.
-pub fn play_match<F>(
+pub fn play_match<C, F>(
     plan: &MatchPlan,
     folder: &Path,
     make_player: &F,
@@ -93,7 +93,8 @@ pub fn play_match<F>(
     progress: &Progress,
 ) -> Result<MatchReport, ArenaError>
 where
-    F: Fn(PlayerIndex) -> Result<Box<dyn Player>, Error> + Sync,
+    C: MatchPlayer,
+    F: Fn(PlayerIndex) -> Result<C, Error> + Sync,
 {
     if plan.pairs == 0 || plan.pairs > MOST_PAIRS {
         let what = format!("{} is out of range", plan.pairs);
@@ -165,7 +166,7 @@ fn next_pair(
 type Pair = ([Node; 2], [FramePoints; 2]);
 
 /// Plays a pair; `None` if it was stopped.
-fn play_pair<F>(
+fn play_pair<C, F>(
     plan: &MatchPlan,
     secret: &Secret,
     pair: u64,
@@ -174,7 +175,8 @@ fn play_pair<F>(
     progress: &Progress,
 ) -> Result<Option<Pair>, Error>
 where
-    F: Fn(PlayerIndex) -> Result<Box<dyn Player>, Error> + Sync,
+    C: MatchPlayer,
+    F: Fn(PlayerIndex) -> Result<C, Error> + Sync,
 {
     let mut frames = Vec::with_capacity(2);
     for number in [2 * pair, 2 * pair + 1] {
@@ -195,13 +197,14 @@ where
 }
 
 /// Lets `players` (player 0, player 1) play `frame` to its end, on the calling thread. A player
-/// that returns an error loses the frame. A stopped `progress` leaves the frame without an end.
+/// that returns an error loses the frame. A stopped `progress` leaves the frame without an end;
+/// [`Response::Stop`] stops it.
 ///
 /// # Errors
 /// None if the frame was begun without one.
-pub fn play_frame(
+pub fn play_frame<C: MatchPlayer>(
     frame: &mut ArenaFrame,
-    players: &mut [Box<dyn Player>; 2],
+    players: &mut [C; 2],
     simulator: &mut FrameSimulator,
     progress: &Progress,
 ) -> Result<(), Error> {
@@ -216,16 +219,19 @@ pub fn play_frame(
             is_over: &is_over,
             runner: Runner::new(Some(1))?,
         };
-        let decided = players[ask.player].decide(&ask.situation, &budget);
+        let response = players[ask.player].respond(&ask, &budget);
         let seconds = time.as_ref().map_or(0.0, ThinkingTime::elapsed);
+        let cost = |spent| Cost { spent, seconds };
         if progress.is_stopped() {
             break;
         }
-        match decided {
-            Ok(decision) => frame.answer(simulator, &decision, seconds)?,
-            Err(error) => {
-                let cost = Cost { spent: Spent::default(), seconds };
-                frame.forfeit(EndReason::Crash, &error.to_string(), cost)?
+        match response {
+            Response::Decision(decision) => frame.answer(simulator, &decision, seconds)?,
+            Response::Unread(fault, spent) => frame.refuse(simulator, fault, cost(spent))?,
+            Response::Failed(reason, why) => frame.forfeit(reason, &why, cost(Spent::default()))?,
+            Response::Stop => {
+                progress.stop();
+                break;
             }
         };
     }

@@ -5,10 +5,10 @@ mod common;
 use carom::error::InputError;
 use carom::resolve::cue_ball::Strike;
 use carom_arena::{
-    ArenaFrame, Clock, Cost, Effect, EndReason, MatchSettings, NextStep, REFUSALS, play_match,
-    replay,
+    ArenaFrame, Ask, Clock, Cost, Effect, EndReason, MatchPlayer, MatchSettings, NextStep,
+    REFUSALS, Response, play_match, replay,
 };
-use carom_mind::{Answer, Decision, Player, Spent};
+use carom_mind::{Answer, Budget, Decision, Player, Spent};
 use carom_plan::Progress;
 use carom_rules::FrameSimulator;
 use carom_rules::{Choice, Game, Options, Play};
@@ -280,4 +280,54 @@ fn a_frame_with_every_kind_of_failure_replays() {
     let text = folder.read(carom_arena::RECORD);
     assert!(text.contains("\"failed\": {\"reason\": \"crash\""));
     assert_eq!(replay(&text, &runner(1), &progress).unwrap().difference, None);
+}
+
+/// Gives this response to every request.
+struct Responder(Response);
+
+impl MatchPlayer for Responder {
+    fn respond(&mut self, _: &Ask<'_>, _: &Budget<'_>) -> Response {
+        self.0.clone()
+    }
+}
+
+#[test]
+fn a_player_of_a_match_may_fail_or_give_no_answer_that_can_be_read() {
+    let fault = InputError {
+        kind: carom::ErrorKind::Syntax,
+        details: Vec::new(),
+        place: "line".into(),
+        what: "not JSON".into(),
+        remedy: "mend".into(),
+    };
+    let unread = Response::Unread(fault, Spent { simulations: 7, rounds: 1 });
+    let failed = Response::Failed(EndReason::Flood, "it wrote too much".into());
+    let plan = plan(short(Game::NineBall), 1);
+    for (response, reason, moves, simulations) in
+        [(unread, EndReason::Refusals, 11, 7), (failed, EndReason::Flood, 1, 0)]
+    {
+        let folder = Folder::new(reason.name());
+        let make = |_| Ok(Responder(response.clone()));
+        let report =
+            play_match(&plan, folder.path(), &make, &runner(1), &Progress::default()).unwrap();
+        assert_eq!(report.score.reasons[&reason], 2);
+        let text = folder.read("match.jsonl");
+        assert_eq!(text.matches(&format!("\"simulations\": {simulations}")).count(), 2 * moves);
+        assert!(replay(&text, &runner(1), &Progress::default()).unwrap().difference.is_none());
+    }
+}
+
+#[test]
+fn a_player_of_a_match_can_stop_it_and_the_frame_is_played_again() {
+    let plan = plan(short(Game::NineBall), 2);
+    let folder = Folder::new("stop");
+    let progress = Progress::default();
+    let stop = |_| Ok(Responder(Response::Stop));
+    let stopped = play_match(&plan, folder.path(), &stop, &runner(2), &progress).unwrap();
+    assert!(progress.is_stopped());
+    assert!(stopped.record.is_none());
+    assert_eq!(stopped.pairs, 0);
+    let make = |_| Ok(Box::new(RandomPlayer) as Box<dyn Player>);
+    let report = play_match(&plan, folder.path(), &make, &runner(2), &Progress::default()).unwrap();
+    assert_eq!(report.pairs, 2);
 }

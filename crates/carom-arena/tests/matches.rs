@@ -156,7 +156,9 @@ fn a_finished_match_is_not_played_again() {
     let folder = Folder::new("finished");
     let progress = Progress::default();
     let first = play_match(&plan, folder.path(), &random_players, &runner(1), &progress).unwrap();
-    let never = |_| Err(carom::ErrorKind::System.at("player", "it is not needed", ""));
+    let never = |_| -> Result<Box<dyn Player>, _> {
+        Err(carom::ErrorKind::System.at("player", "it is not needed", ""))
+    };
     let again = play_match(&plan, folder.path(), &never, &runner(1), &progress).unwrap();
     assert_eq!((again.score, again.pairs), (first.score, first.pairs));
 }

@@ -55,6 +55,8 @@ pub enum NextStep<'f> {
 pub struct Ask<'f> {
     /// Number of the request in the frame, from 0. An answer to another one is out of date.
     pub id: u64,
+    /// Number of the frame in the match, from 0. The referee reports failures with it.
+    pub frame_number: u64,
     /// The seat that is asked.
     pub seat: Seat,
     /// The player at that seat.
@@ -197,6 +199,7 @@ impl ArenaFrame {
         };
         NextStep::Ask(Ask {
             id: self.seats[0].asked + self.seats[1].asked,
+            frame_number: self.number,
             seat,
             player,
             situation: self.situation(seat),
