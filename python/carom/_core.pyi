@@ -336,13 +336,14 @@ class Player:
 
 def players() -> list[str]: ...
 def play_match(
-    players: tuple[str, str],
+    players: Sequence[str | tuple[str, str, Callable[[int, int], Callable[..., Any]]]],
     agreed: object,
     secret: str | None,
     folder: PathLike[str],
     level: float,
     threads: int,
     report: _Report,
+    interrupt: Callable[[], None] | None,
 ) -> dict[str, Any]: ...
 def pair_interval(counts: list[int], level: float) -> tuple[float, float]: ...
 def replay_match(text: str, level: float, threads: int, report: _Report) -> dict[str, Any]: ...

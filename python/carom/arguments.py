@@ -21,6 +21,9 @@ T = TypeVar("T")
 # Seeds and indices have 64 bits.
 WORD = 1 << 64
 
+# Types that become a number but are a mistake where one is needed.
+_NO_NUMBERS = (str, bytes, bytearray, bool)
+
 # An azimuth beyond this, rad, was probably meant in degrees: a full turn, with room for rounding.
 _FULL_TURN = 2 * math.pi * (1 + 1e-9)
 
@@ -54,8 +57,11 @@ def whole(name: str, value: Any, end: int = WORD, *, low: int = 0) -> int:
 
 def number(name: str, value: Any) -> float:
     """A number, which may be infinite or NaN."""
+    if type(value) is float:
+        # The usual case. A player in a match answers within some microseconds.
+        return value
     try:
-        if not isinstance(value, str | bytes | bytearray | bool):
+        if not isinstance(value, _NO_NUMBERS):
             return float(value)
     except (TypeError, ValueError, OverflowError):
         pass
@@ -172,8 +178,8 @@ def _level_of_user() -> int:
 
 def text(name: str, value: Any, such_as: str = "") -> str:
     """A string in valid Unicode; ``such_as`` is an example for the error message."""
-    remedy = f"write a text{such_as and f', such as {such_as}'}"
     if not isinstance(value, str):
+        remedy = f"write a text{such_as and f', such as {such_as}'}"
         raise InputError("wrong-type", name, f"{_shown(value)} is not a text", remedy)
     try:
         value.encode()

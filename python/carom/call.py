@@ -78,7 +78,8 @@ class Call:
         return cls("push-out")
 
 
-@dataclass(frozen=True, slots=True)
+# Not frozen: that takes longer to make, and every shot of a player makes one.
+@dataclass(slots=True)
 class PlayArguments:
     """A play in the form that Rust reads, by attribute.
 
@@ -103,6 +104,8 @@ def read_call(call: Call | Mapping[str, Any] | None) -> Call | None:
     Raises:
         InputError: It is neither of these, or a key is unknown.
     """
+    if call is None:
+        return None
     if isinstance(call, Mapping):
         _core.check_keys(call, "call", ["kind", "ball", "into"])
         if "kind" not in call:
@@ -110,9 +113,7 @@ def read_call(call: Call | Mapping[str, Any] | None) -> Call | None:
                 "missing", "call.kind", "is missing", 'write one of request.calls, such as "pocket"'
             )
         call = Call(**call)
-    if call is None or instance("call", call, Call, _EXAMPLE).kind == "nothing":
-        return None
-    return call
+    return None if instance("call", call, Call, _EXAMPLE).kind == "nothing" else call
 
 
 _EXAMPLE = 'carom.Call.pocket("1", "left")'

@@ -496,38 +496,13 @@ class Frame:
                 ``concede``. The frame is unchanged then.
             EventCapError: As for ``play``.
         """
-        if not isinstance(answer, Mapping):
-            _core.wrong_type(
-                answer, "answer", '{"play": {...}}, {"choice": ...} or {"concede": true}'
-            )
-        _core.check_keys(answer, "answer", ["play", "choice", "concede"])
-        if len(answer) != 1:
-            raise InputError(
-                "not-a-move",
-                "answer",
-                f"found {len(answer)} keys",
-                "write one of play, choice and concede",
-            )
-        if "choice" in answer:
-            return self.choose(answer["choice"])
-        if "concede" in answer:
-            if answer["concede"] is not True:
-                raise InputError(
-                    "wrong-type", "answer.concede", "is not true", "write true, or leave it out"
-                )
-            return self.concede()
-        play = answer["play"]
-        if not isinstance(play, Mapping):
-            _core.wrong_type(play, "answer.play", 'an object with "strike"')
-        _core.check_keys(play, "answer.play", ["strike", "cue_ball", "call"])
-        if "strike" not in play:
-            raise InputError(
-                "missing",
-                "answer.play.strike",
-                "is missing",
-                'write {"speed": 2, "azimuth_deg": 90}',
-            )
-        return self.play(**play, noise=noise, seed=seed)
+        match plain_answer(answer):
+            case {"choice": choice}:
+                return self.choose(choice)
+            case {"play": play}:
+                return self.play(**play, noise=noise, seed=seed)
+            case _:
+                return self.concede()
 
     def _play(
         self,
@@ -606,6 +581,44 @@ def _other_engine(record: Mapping[str, Any]) -> str:
     return f" (the record was made by {made}, and this is {ENGINE})"
 
 
+def plain_answer(answer: Mapping[str, Any]) -> dict[str, Any]:
+    """An answer of plain values, as ``Frame.answer`` takes it, with its form checked.
+
+    Returns:
+        ``play`` (a dict with ``strike``), ``choice`` or ``concede``, one of them.
+
+    Raises:
+        InputError: It has another form.
+    """
+    if not isinstance(answer, Mapping):
+        _core.wrong_type(answer, "answer", '{"play": {...}}, {"choice": ...} or {"concede": true}')
+    _core.check_keys(answer, "answer", ["play", "choice", "concede"])
+    if len(answer) != 1:
+        raise InputError(
+            "not-a-move",
+            "answer",
+            f"found {len(answer)} keys",
+            "write one of play, choice and concede",
+        )
+    if "concede" in answer and answer["concede"] is not True:
+        raise InputError(
+            "wrong-type", "answer.concede", "is not true", "write true, or leave it out"
+        )
+    if "play" in answer:
+        play = answer["play"]
+        if not isinstance(play, Mapping):
+            _core.wrong_type(play, "answer.play", 'an object with "strike"')
+        _core.check_keys(play, "answer.play", ["strike", "cue_ball", "call"])
+        if "strike" not in play:
+            raise InputError(
+                "missing",
+                "answer.play.strike",
+                "is missing",
+                'write {"speed": 2, "azimuth_deg": 90}',
+            )
+    return dict(answer)
+
+
 def play_arguments(
     strike: Strike | Mapping[str, Any],
     cue_ball: Sequence[float] | None = None,
@@ -616,21 +629,23 @@ def play_arguments(
     Raises:
         InputError: A value has the wrong type.
     """
-    if isinstance(strike, Mapping):
+    # A strike is checked first: to ask whether it is a mapping takes longer than all the rest.
+    if not isinstance(strike, Strike) and isinstance(strike, Mapping):
         strike = Strike.from_dict(strike)
     instance("strike", strike, Strike, "carom.Strike(speed=2.0, azimuth=1.57)")
-    speed, azimuth, side, height = (
-        number(f"strike.{key}", getattr(strike, key)) for key in VARIABLES if key != "elevation"
-    )
     elevation = strike.elevation
-    if elevation is not None:
-        elevation = number("strike.elevation", elevation)
-    obstruction, miscue = (
-        text(f"strike.{key}", getattr(strike, key), '"report"') for key in _POLICIES
-    )
     return PlayArguments(
-        strike=(speed, azimuth, elevation, side, height),
-        policy=(obstruction, miscue),
+        strike=(
+            number("strike.speed", strike.speed),
+            number("strike.azimuth", strike.azimuth),
+            None if elevation is None else number("strike.elevation", elevation),
+            number("strike.side", strike.side),
+            number("strike.height", strike.height),
+        ),
+        policy=(
+            text("strike.obstruction", strike.obstruction, '"report"'),
+            text("strike.miscue", strike.miscue, '"report"'),
+        ),
         cue_ball=None if cue_ball is None else numbers("cue_ball", cue_ball, 2),
         call=fields_of(call),
     )

@@ -1,4 +1,4 @@
-//! Matches between built-in players: `_core.play_match` and `_core.replay_match`; the interval of
+//! Matches: `_core.play_match` and `_core.replay_match`; the interval of
 //! pairs that were played elsewhere: `_core.pair_interval`.
 
 use std::collections::BTreeMap;
@@ -7,16 +7,17 @@ use std::path::PathBuf;
 use carom::format::Node;
 use carom::runner::Runner;
 use carom_arena::{
-    BuiltInPlayer, Hypothesis, MatchPlan, MatchReport, MatchScore, PairScores, Replay, Secret,
-    TestState, elo_of_share,
+    Hypothesis, MatchPlan, MatchReport, MatchScore, PairScores, Replay, Secret, TestState,
+    elo_of_share,
 };
 use carom_plan::{Interval, check_level};
 use pyo3::prelude::*;
 
 use crate::error::{arena_exception, to_exception};
+use crate::match_player::{Entrant, EntrantArguments, Raised};
 use crate::node::{from_python, to_python};
 use crate::options::count;
-use crate::progress;
+use crate::progress::{self, Watch};
 
 /// The score of player 0; a dict in Python. Intervals: (low, high).
 #[derive(IntoPyObject)]
@@ -88,39 +89,50 @@ pub(crate) struct MatchFields {
 
 /// Plays or continues a match in `folder`. `agreed`: the keys of a record's header without `format`,
 /// `engine`, `secret_sha256` and `players`. `report` is called with 0, pairs done, all pairs.
+/// `interrupt` is called again and again after a stop, until the players have ended; None if no player
+/// needs it. Players in Python and one thread have the calling thread.
 #[pyfunction]
-#[pyo3(signature = (players, agreed, secret, folder, level, threads, report))]
+#[pyo3(signature = (players, agreed, secret, folder, level, threads, report, interrupt))]
 #[expect(clippy::too_many_arguments, reason = "Python's side has names for them")]
 pub(crate) fn play_match(
     py: Python<'_>,
-    players: [String; 2],
+    players: [EntrantArguments; 2],
     agreed: &Bound<'_, PyAny>,
     secret: Option<String>,
     folder: PathBuf,
     level: f64,
     threads: usize,
     report: Py<PyAny>,
+    interrupt: Option<Py<PyAny>>,
 ) -> PyResult<MatchFields> {
     let raise = |error| to_exception(py, &error);
     check_level(level).map_err(raise)?;
-    let players = players.map(|name| BuiltInPlayer::read(&name));
+    let raised = Raised::default();
+    let players = players.map(|player| Entrant::read(player, &raised));
     let players = match players {
         [Ok(one), Ok(other)] => [one, other],
         [Err(error), _] | [_, Err(error)] => return Err(raise(error)),
     };
     let mut agreed = from_python(agreed)?;
-    let entries = players.each_ref().map(|player| {
-        let entry = player.entry();
-        Node::object([("name", entry.name.into()), ("settings", entry.settings)])
-    });
-    agreed.set("players", Node::list(entries));
+    agreed.set("players", Node::list(players.each_ref().map(Entrant::entry)));
     let secret = secret.map(|digits| Secret::parse(&digits)).transpose().map_err(raise)?;
     let plan = MatchPlan::from_node(&agreed, secret).map_err(raise)?;
     let runner = Runner::new(count(threads)).map_err(raise)?;
     let make = |index: usize| players[index].make();
-    let played = progress::run(py, &report, |progress| {
+    let after_stop = || {
+        if let Some(interrupt) = &interrupt {
+            // A failure leaves the players to end by themselves.
+            let _ = Python::attach(|py| interrupt.call0(py).map(drop));
+        }
+    };
+    let is_outside = players.iter().any(Entrant::is_outside);
+    let watch = if is_outside && threads == 1 { Watch::Here } else { Watch::Beside(&after_stop) };
+    let played = progress::run_with(py, &report, &watch, |progress| {
         Ok(carom_arena::play_match(&plan, &folder, &make, &runner, progress))
     })?;
+    if let Some(error) = raised.take() {
+        return Err(error);
+    }
     let MatchReport { record, score, test, pairs, secret_sha256 } =
         played.map_err(|error| arena_exception(py, &error))?;
     let (score, test) = (ScoreFields::new(&score, level), test.map(TestFields::from));

@@ -159,7 +159,7 @@ fn replies(
             let nothing =
                 || ErrorKind::WrongState.at("opponent", "there is no frame", "choose a game");
             let frame = asked.frame().ok_or_else(nothing)?;
-            let answer = answer.read(frame).map_err(|error| error.inside("opponent"))?;
+            let answer = answer.allowed(frame).map_err(|error| error.inside("opponent"))?;
             Ok(Reply::Answer(answer))
         };
         asked.iter().zip(answers).map(read).collect()

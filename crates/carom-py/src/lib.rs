@@ -7,6 +7,7 @@ mod error;
 mod exceptions;
 mod json;
 mod maps;
+mod match_player;
 mod node;
 mod options;
 mod plan;

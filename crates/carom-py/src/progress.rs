@@ -106,6 +106,25 @@ pub(crate) fn run<T: Send>(
     report: &Py<PyAny>,
     work: impl FnOnce(&Progress) -> Result<T, carom::Error> + Send,
 ) -> PyResult<T> {
+    run_with(py, report, &Watch::Beside(&|| ()), work)
+}
+
+/// Which thread a task that calls Python has.
+pub(crate) enum Watch<'w> {
+    /// A thread of its own. After a stop the watching thread calls this function again and again, until
+    /// the task has ended.
+    Beside(&'w (dyn Fn() + Sync)),
+    /// The calling thread, so that Ctrl-C arrives in Python's code that the task calls.
+    Here,
+}
+
+/// As [`run`], on the thread of `watch`.
+pub(crate) fn run_with<T: Send>(
+    py: Python<'_>,
+    report: &Py<PyAny>,
+    watch: &Watch<'_>,
+    work: impl FnOnce(&Progress) -> Result<T, carom::Error> + Send,
+) -> PyResult<T> {
     let reporter = Arc::new(Reporter {
         report: report.clone_ref(py),
         raised: Mutex::default(),
@@ -117,7 +136,21 @@ pub(crate) fn run<T: Send>(
             watched.report(progress);
         }
     });
-    let found = beside(py, &reporter.own, || work(&progress), || reporter.report(&progress));
+    let found = match watch {
+        Watch::Beside(after_stop) => {
+            let tick = || {
+                reporter.report(&progress);
+                if progress.is_stopped() {
+                    after_stop();
+                }
+            };
+            beside(py, &reporter.own, || work(&progress), tick)
+        }
+        Watch::Here => {
+            reporter.own.begin();
+            py.detach(|| work(&progress))
+        }
+    };
     if let Some(error) = reporter.raised.lock().unwrap_or_else(PoisonError::into_inner).take() {
         return Err(error);
     }

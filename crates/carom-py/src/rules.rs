@@ -77,21 +77,24 @@ pub(crate) enum AnswerArguments {
 }
 
 impl AnswerArguments {
-    /// The answer, if `frame` allows it.
+    /// The answer in `frame`, which may refuse it.
     pub(crate) fn read(self, frame: &carom_rules::Frame) -> Result<Answer, Error> {
         match self {
             Self::Word(word) if word == CONCEDE => Ok(Answer::Concede),
-            Self::Word(word) => {
-                let choice = Choice::read(&word)?;
-                frame.clone().choose(choice)?;
-                Ok(Answer::Choice(choice))
-            }
-            Self::Play(arguments) => {
-                let play = read_play(frame, arguments, None)?;
-                frame.shot(&play)?;
-                Ok(Answer::Play(play))
-            }
+            Self::Word(word) => Choice::read(&word).map(Answer::Choice),
+            Self::Play(arguments) => read_play(frame, arguments, None).map(Answer::Play),
         }
+    }
+
+    /// The answer, if `frame` allows it.
+    pub(crate) fn allowed(self, frame: &carom_rules::Frame) -> Result<Answer, Error> {
+        let answer = self.read(frame)?;
+        match &answer {
+            Answer::Play(play) => drop(frame.shot(play)?),
+            Answer::Choice(choice) => drop(frame.clone().choose(*choice)?),
+            Answer::Concede => {}
+        }
+        Ok(answer)
     }
 }
 

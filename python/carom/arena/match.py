@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import nullcontext
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from carom import _core
+from carom.arena.contestants import Contestant, Desk, contestant
 from carom.arena.result import MatchResult, Score, TestResult
 from carom.arguments import number, numbers, text, thread_count, truth, whole
 from carom.build import Physics, Table
@@ -15,6 +17,7 @@ from carom.errors import InputError
 from carom.files import checked_path
 from carom.noise import Noise, Perception, noise_or_default, perception_or_none
 from carom.player import Play, Player
+from carom.player.situation import Chooser
 from carom.player.thinking import seconds
 from carom.progress import stage_bars
 from carom.reference import DEFAULT_OPTIONS
@@ -32,8 +35,8 @@ _ERROR_RATE = 0.05
 
 
 def play_match(
-    one: str,
-    other: str,
+    one: str | Chooser | Callable[[], Chooser] | Player,
+    other: str | Chooser | Callable[[], Chooser] | Player,
     *,
     out: str | os.PathLike[str],
     game: str = "eight-ball",
@@ -57,9 +60,10 @@ def play_match(
     max_events: int = 100_000,
     level: float = 0.95,
     threads: int | None = None,
+    strict: bool = False,
     progress: bool = False,
 ) -> MatchResult:
-    """Play a match between two built-in players, or continue it.
+    """Play a match between two players, or continue it.
 
     The match consists of pairs of frames with the same rack and the same errors, in which the
     players exchange their seats. Every pair is written to ``out`` when it ends. If the call is
@@ -67,9 +71,14 @@ def play_match(
     any number of threads and on every machine, if its secret is the same.
 
     Args:
-        one: The first player's name (``carom.players()`` lists them). A number of simulated shots
-            for each decision may follow, as in ``carom:2000``.
-        other: The second player's name.
+        one: The first player. A built-in one is a name (``carom.players()`` lists them), which a
+            number of simulated shots for each decision may follow, as in ``carom:2000``. A player
+            of one's own is an object with a method ``choose(situation)`` (``carom.Situation``), of
+            which every frame gets a copy by ``copy.deepcopy``; or a class or function without
+            arguments, which is called for every frame. Its name is its attribute ``name``, or that
+            of its class. An exception loses the frame; its traceback is in ``errors.log`` in
+            ``out``.
+        other: The second player, likewise.
         out: The folder of the match.
         game: The game, as for ``Frame``.
         pairs: Number of pairs of frames; with ``test`` the largest number.
@@ -99,7 +108,11 @@ def play_match(
         patience: Number of shots in a row without progress that make a stalemate.
         max_events: Largest number of events of a shot.
         level: Confidence level of the intervals, in (0, 1).
-        threads: Number of threads; None is one per core.
+        threads: Number of threads; None is one per core, and one if a player is not a built-in
+            one. Players in Python take turns with the interpreter's lock, and a clock of seconds
+            counts the time for which they wait.
+        strict: Whether an exception of a player of one's own stops the match, and is raised. Pairs
+            that had ended are kept.
         progress: Show a progress bar on stderr.
 
     Raises:
@@ -107,7 +120,7 @@ def play_match(
             range, or the folder has another match.
         OSError: A file cannot be read or written.
     """
-    names = (_name("one", one), _name("other", other))
+    players = (contestant("one", one), contestant("other", other))
     folder = checked_path("out", out, "match")
     budgets: dict[str, Any] = {
         "simulations": simulations,
@@ -115,7 +128,9 @@ def play_match(
         "time": time,
         "clock": clock,
     }
-    clocks = _clocks(names, budgets)
+    clocks = _clocks(players, budgets)
+    noises = _noises(players, noise)
+    sights = tuple(perception_or_none(each) for each in _each("perception", perception))
     shares = None if test is None else _test(test)
     agreed = {
         "game": text("game", game, '"eight-ball"'),
@@ -127,10 +142,8 @@ def play_match(
         "table": table.description if isinstance(table, Table) else table,
         "physics": physics.description if isinstance(physics, Physics) else physics,
         "max_events": whole("max_events", max_events, 1 << 32, low=1),
-        "noise": [each.to_dict() for each in _noises(names, noise)],
-        "perception": [
-            perception_or_none(each).to_dict() for each in _each("perception", perception)
-        ],
+        "noise": [each.to_dict() for each in noises],
+        "perception": [each.to_dict() for each in sights],
         "clock": clocks,
         "breaker": breaker,
         "same_break": None if same_break is None else _break(same_break, game, table, physics),
@@ -140,11 +153,46 @@ def play_match(
     }
     given = None if secret is None else text("secret", secret, "64 hexadecimal digits")
     confidence = number("level", level)
-    with stage_bars(["pairs"], show=progress) as report:
-        fields = _core.play_match(
-            names, agreed, given, folder, confidence, thread_count(threads), report
+    desk = Desk(folder, truth("strict", strict))
+    entrants = [
+        player.name
+        if player.make is None
+        else (
+            player.name,
+            player.kind,
+            desk.beginning(player, *_told(index, disclosure, noises, sights)),
         )
-    return _result(game, names, fields, confidence, shares)
+        for index, player in enumerate(players)
+    ]
+    are_asked = any(player.make is not None for player in players)
+    if threads is None and are_asked:
+        threads = 1
+    watching = desk.watching() if are_asked else nullcontext()
+    with stage_bars(["pairs"], show=progress) as report, watching:
+        fields = _core.play_match(
+            entrants,
+            agreed,
+            given,
+            folder,
+            confidence,
+            thread_count(threads),
+            report,
+            desk.interrupt,
+        )
+    return _result(game, (players[0].name, players[1].name), fields, confidence, shares)
+
+
+def _told(
+    player: int,
+    disclosure: str,
+    noises: Sequence[Noise],
+    sights: Sequence[Perception],
+) -> tuple[tuple[Noise, Noise], Perception]:
+    """The errors that a player knows: of its strikes and the other's, and of its perception."""
+    nothing = Noise()
+    own = nothing if disclosure == "nothing" else noises[player]
+    other = noises[1 - player] if disclosure == "both" else nothing
+    return (own, other), Perception() if disclosure == "nothing" else sights[player]
 
 
 def _result(
@@ -165,16 +213,6 @@ def _result(
     )
 
 
-def _name(argument: str, value: Any) -> str:
-    """The name of a player; the error names the argument."""
-    name = text(argument, value, '"carom:2000"')
-    try:
-        Player(name)
-    except InputError as error:
-        raise error.at(argument + error.place.removeprefix("player")) from None
-    return name
-
-
 def _each(name: str, value: T | tuple[T, T]) -> tuple[T, T]:
     """The value of each player."""
     if not isinstance(value, tuple | list):
@@ -186,14 +224,16 @@ def _each(name: str, value: T | tuple[T, T]) -> tuple[T, T]:
     return value[0], value[1]
 
 
-def _noises(names: tuple[str, str], noise: Any) -> list[Noise]:
+def _noises(players: tuple[Contestant, Contestant], noise: Any) -> list[Noise]:
     """The errors of both players."""
     if noise is None:
-        return [Player(name).noise for name in names]
+        return [noise_or_default(player.noise) for player in players]
     return [noise_or_default(each) for each in _each("noise", noise)]
 
 
-def _clocks(names: tuple[str, str], given: Mapping[str, Any]) -> list[dict[str, Any]]:
+def _clocks(
+    players: tuple[Contestant, Contestant], given: Mapping[str, Any]
+) -> list[dict[str, Any]]:
     """The players' clocks in the form of a record."""
     written = [name for name, value in given.items() if value is not None]
     if len(written) > 1:
@@ -201,10 +241,9 @@ def _clocks(names: tuple[str, str], given: Mapping[str, Any]) -> list[dict[str, 
     name = written[0] if written else "clock"
     amounts = _each(name, given[name] if written else _OLYMPIAD)
     clocks: list[dict[str, Any]] = []
-    for player, amount in zip(names, amounts, strict=True):
-        named = Player(player)._core.simulations
-        if named is not None:
-            clocks.append({"simulations": named, "per": "decision"})
+    for player, amount in zip(players, amounts, strict=True):
+        if player.simulations is not None:
+            clocks.append({"simulations": player.simulations, "per": "decision"})
             continue
         per = "decision" if name in ("simulations", "time") else "frame"
         if name.endswith("simulations"):

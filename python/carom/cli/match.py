@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json as js
 import sys
+import traceback
 from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, TypeVar
@@ -12,9 +13,11 @@ import typer
 
 import carom
 from carom import Call, Perception, Play, Strike
+from carom.arena.contestants import is_of_player
 from carom.batch import own_strike
 from carom.cli.options import NOISES, Json, Level, named_noise
 from carom.cli.output import emit, emit_answer, read, say
+from carom.cli.players import named_player
 from carom.errors import InputError
 from carom.reference import DEFAULT_OPTIONS, points_help
 
@@ -24,7 +27,11 @@ T = TypeVar("T")
 def match(
     one: Annotated[
         str | None,
-        typer.Argument(metavar="[A]", help="The first player, such as carom or carom:2000."),
+        typer.Argument(
+            metavar="[A]",
+            help="The first player: a name, such as carom or carom:2000, or a file and a class of "
+            "your own in it, such as mine.py:Mine.",
+        ),
     ] = None,
     other: Annotated[str | None, typer.Argument(metavar="[B]", help="The second player.")] = None,
     out: Annotated[
@@ -102,6 +109,9 @@ def match(
     threads: Annotated[
         int | None, typer.Option(min=1, help="Number of threads; default: one per core.")
     ] = None,
+    strict: Annotated[
+        bool, typer.Option("--strict", help="Stop at the first exception of a player of your own.")
+    ] = False,
     replay: Annotated[
         str | None,
         typer.Option(
@@ -128,8 +138,8 @@ def match(
         )
     try:
         result = carom.play_match(
-            one,
-            other,
+            named_player("one", one),
+            named_player("other", other),
             out=out,
             game=game,
             pairs=pairs,
@@ -147,11 +157,18 @@ def match(
             secret=secret,
             level=level,
             threads=threads,
+            strict=strict,
             progress=sys.stderr.isatty(),
         )
     except KeyboardInterrupt:
         say("stopped; the same command continues from here")
         raise
+    except Exception as error:
+        if not is_of_player(error):
+            raise
+        traceback.print_exception(error)
+        say("a player raised this exception; the same command continues before this frame")
+        raise typer.Exit(2) from None
     emit_answer(result, json=json)
 
 

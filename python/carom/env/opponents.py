@@ -3,25 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 from carom import _core
 from carom.env.arrays import floats
 from carom.errors import InputError
 from carom.noise import Noise
-from carom.player import Player, Situation
-from carom.player.situation import answer_arguments
+from carom.player import Situation
+from carom.player.situation import answer_arguments, chosen
 from carom.rules import Frame
 
 if TYPE_CHECKING:
     from carom.call import PlayArguments
-
-
-class OpponentPlayer(Protocol):
-    """An opponent that makes one decision at a time."""
-
-    def choose(self, situation: Any, /) -> Any:
-        """The answer in a ``carom.Situation``."""
 
 
 #: What Rust calls when an opponent in Python has to answer.
@@ -79,18 +72,12 @@ def _policy(policy: Callable[[Any], Any], width: int) -> Ask:
 
 
 def _player(player: Any, noise: Noise) -> Ask:
-    def choose(situation: Situation) -> Any:
-        if isinstance(player, Player):
-            frame, other = situation.frame, situation.opponent_noise
-            return player.choose(frame, noise=situation.noise, opponent_noise=other)
-        return player.choose(situation)
-
     def answers(asked: list[tuple[int, int, _core.Frame]]) -> list[PlayArguments | str]:
         found = []
         for index, seat, core in asked:
             try:
                 situation = Situation(Frame._seen(core), noise, noise, seat)
-                found.append(answer_arguments(choose(situation)))
+                found.append(_arguments(chosen(player, situation)))
             except Exception as error:
                 error.add_note(
                     f"The opponent of environment {index} was to answer as player {seat}."
@@ -99,3 +86,12 @@ def _player(player: Any, noise: Noise) -> Ask:
         return found
 
     return answers
+
+
+def _arguments(answer: Any) -> PlayArguments | str:
+    """The answer in the form that Rust reads; an error of its form names the opponent."""
+    try:
+        return answer_arguments(answer)
+    except InputError as error:
+        inside = error.place.removeprefix("answer").removeprefix(".")
+        raise error.at(f"opponent.{inside}" if inside else "opponent") from None

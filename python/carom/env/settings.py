@@ -11,9 +11,11 @@ from typing import TYPE_CHECKING, Any, Literal, TypedDict
 from carom.arguments import instance, number, numbers, text, thread_count, truth, whole
 from carom.build import Physics, Table
 from carom.deprecated import renamed_keys
-from carom.env.opponents import OpponentPlayer, kind_of
+from carom.env.opponents import kind_of
 from carom.errors import InputError
 from carom.noise import Noise
+from carom.player import Player
+from carom.player.situation import Chooser
 
 if TYPE_CHECKING:
     from gymnasium.vector import AutoresetMode
@@ -124,14 +126,15 @@ class MatchSettings(TypedDict, total=False):
 class Settings(MatchSettings, total=False):
     """Settings of environments with one agent: those of :class:`MatchSettings`, and these."""
 
-    opponent: str | Callable[[Any], Any] | OpponentPlayer
+    opponent: str | Callable[[Any], Any] | Chooser | Player
     """The second player. It is ``none``, ``random``, ``potter``, or in a game a built-in player
     (``carom.players()`` lists them), such as ``level-2``. Settings and a number of simulated shots
     for each decision may follow, as in ``carom[shift=false]:500``; a player that is not a level has
     200 without a number. A level strikes with its own noise. Or an opponent of one's own: a
     function from observations, shape (k, size), to actions, shape (k, action size), or an object
     with ``choose(situation)`` (``carom.Situation``), which returns a ``carom.Play``, a
-    ``carom.Decision``, the name of a choice, or ``"concede"``. The default is ``"none"``."""
+    ``carom.Decision``, the name of a choice, ``"concede"``, or plain values that follow
+    ``frame.answer_schema()``. The default is ``"none"``."""
     seat: int | Literal["random", "alternate"]
     """The agent's seat, if it has an opponent. It is 0 (it begins), 1, ``random`` (drawn for every
     episode) or ``alternate`` (0 in the first episode of a seed, then 1, and so on).

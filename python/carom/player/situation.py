@@ -2,26 +2,44 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+from carom.arguments import text
 from carom.call import PlayArguments
 from carom.errors import InputError
-from carom.noise import Noise
+from carom.noise import Noise, Perception
 from carom.player.decision import Decision, Play
-from carom.rules import Frame, play_arguments
+from carom.player.player import Player
+from carom.rules import Frame, plain_answer, play_arguments
+
+_EXACT = Perception()
 
 
-@dataclass(frozen=True, slots=True)
+# Not frozen: that takes 2.5 times as long to make, and the object belongs to the player.
+@dataclass(slots=True)
 class Situation:
     """What a player knows when the frame asks it.
 
     Attributes:
         frame: A copy of the frame. It does not have the seed of the racks to come, and no record.
-        noise: Errors of the player's own strikes.
+            With errors of perception its balls are a little off their true places.
+        noise: Errors of the player's own strikes. Errors that a match does not disclose are those
+            of ``carom.Noise()``: none.
         opponent_noise: Errors of the other player's strikes.
         player: The player's seat, 0 or 1.
-        clock: Seconds that the player may still use; None without a clock.
+        clock: Seconds that the player may still use, in the frame or for this decision; None if
+            no clock counts seconds.
+        simulations: Simulated shots that the player may still use; None if no clock counts them.
+            What a player uses is the ``simulations`` of its ``carom.Decision``.
+        budget: The part of ``clock`` or ``simulations`` that a built-in player would use now; None
+            without a clock.
+        perception: Errors with which the player sees the balls.
+        seed: Seed of the random numbers of this decision. A player that draws numbers from it
+            plays the same match again if the secret is the same.
+        refused: Why the last answer to this request was refused, with ``place``, ``fault`` and
+            ``remedy``; None for a new request.
     """
 
     frame: Frame
@@ -29,19 +47,32 @@ class Situation:
     opponent_noise: Noise
     player: int
     clock: float | None = None
+    simulations: int | None = None
+    budget: float | None = None
+    perception: Perception = _EXACT
+    seed: int = 0
+    refused: InputError | None = None
 
 
 class Chooser(Protocol):
     """A player of one's own: any object with this method."""
 
-    def choose(self, situation: Situation) -> Play | Decision | str:
+    def choose(self, situation: Situation, /) -> Play | Decision | Mapping[str, Any] | str:
         """Answer the request of ``situation.frame``.
 
         Returns:
-            A ``carom.Play``, a ``carom.Decision``, the name of one of ``request.choices``, or
-            ``"concede"``.
+            A ``carom.Play``, a ``carom.Decision``, the name of one of ``request.choices``,
+            ``"concede"``, or plain values that follow ``situation.frame.answer_schema()``.
         """
         ...
+
+
+def chosen(player: Any, situation: Situation) -> Any:
+    """The answer of a player of one's own, or of a ``carom.Player``."""
+    if isinstance(player, Player):
+        frame, other = situation.frame, situation.opponent_noise
+        return player.choose(frame, noise=situation.noise, opponent_noise=other)
+    return player.choose(situation)
 
 
 def answer_arguments(answer: Any) -> PlayArguments | str:
@@ -52,15 +83,21 @@ def answer_arguments(answer: Any) -> PlayArguments | str:
     """
     if isinstance(answer, Decision):
         if answer.play is None:
-            return "concede" if answer.choice is None else answer.choice
+            return "concede" if answer.choice is None else text("choice", answer.choice)
         answer = answer.play
     if isinstance(answer, Play):
         return play_arguments(answer.strike, answer.cue_ball, answer.call)
     if isinstance(answer, str):
         return answer
+    if isinstance(answer, Mapping):
+        plain = plain_answer(answer)
+        if "play" in plain:
+            return play_arguments(**plain["play"])
+        return text("choice", plain["choice"]) if "choice" in plain else "concede"
     raise InputError(
         "wrong-type",
-        "opponent",
+        "answer",
         f"choose returned a {type(answer).__name__}",
-        'return a carom.Play, a carom.Decision, the name of a choice, or "concede"',
+        'return a carom.Play, a carom.Decision, the name of a choice, "concede", or plain values '
+        "that follow frame.answer_schema()",
     )

@@ -1,0 +1,163 @@
+//! The players of a match: built-in ones, and objects in Python that are asked through a function.
+
+use std::sync::{Arc, Mutex, PoisonError};
+
+use carom::ErrorKind;
+use carom::error::{Error, InputError};
+use carom::format::Node;
+use carom_arena::{Ask, BuiltInPlayer, ClockUnit, EndReason, MatchPlayer, PlayerEntry, Response};
+use carom_mind::{Budget, Decision, Player, Spent};
+use pyo3::prelude::*;
+
+use crate::error::to_exception;
+use crate::rules::{AnswerArguments, Frame};
+
+/// A player of a match: the name of a built-in one; or name, class, and the function that begins a
+/// frame. That function returns the one that is asked, see [`Outside::said`].
+#[derive(FromPyObject)]
+pub(crate) enum EntrantArguments {
+    BuiltIn(String),
+    Outside(String, String, Py<PyAny>),
+}
+
+/// The first exception that ends a match.
+#[derive(Clone, Default)]
+pub(crate) struct Raised(Arc<Mutex<Option<PyErr>>>);
+
+impl Raised {
+    pub(crate) fn take(&self) -> Option<PyErr> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).take()
+    }
+
+    fn keep(&self, error: PyErr) {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner).get_or_insert(error);
+    }
+}
+
+/// A player of a match, before its frames.
+pub(crate) enum Entrant {
+    BuiltIn(BuiltInPlayer),
+    Outside { entry: PlayerEntry, begin: Arc<Py<PyAny>>, raised: Raised },
+}
+
+impl Entrant {
+    pub(crate) fn read(arguments: EntrantArguments, raised: &Raised) -> Result<Self, Error> {
+        Ok(match arguments {
+            EntrantArguments::BuiltIn(name) => Self::BuiltIn(BuiltInPlayer::read(&name)?),
+            EntrantArguments::Outside(name, class, begin) => {
+                let settings = Node::object([("python", class.into())]);
+                let entry = PlayerEntry { name, settings };
+                Self::Outside { entry, begin: begin.into(), raised: raised.clone() }
+            }
+        })
+    }
+
+    pub(crate) const fn is_outside(&self) -> bool {
+        matches!(self, Self::Outside { .. })
+    }
+
+    /// The player as the header of a record has it.
+    pub(crate) fn entry(&self) -> Node {
+        let PlayerEntry { name, settings } = match self {
+            Self::BuiltIn(player) => player.entry(),
+            Self::Outside { entry, .. } => entry.clone(),
+        };
+        Node::object([("name", name.into()), ("settings", settings)])
+    }
+
+    /// The player for one frame.
+    pub(crate) fn make(&self) -> Result<Seated, Error> {
+        Ok(match self {
+            Self::BuiltIn(player) => Seated::BuiltIn(player.make()?),
+            Self::Outside { begin, raised, .. } => {
+                let (begin, raised) = (Arc::clone(begin), raised.clone());
+                Seated::Outside(Outside { begin, ask: None, raised })
+            }
+        })
+    }
+}
+
+/// A player in a frame.
+pub(crate) enum Seated {
+    BuiltIn(Box<dyn Player>),
+    Outside(Outside),
+}
+
+impl MatchPlayer for Seated {
+    fn respond(&mut self, ask: &Ask<'_>, budget: &Budget<'_>) -> Response {
+        match self {
+            Self::BuiltIn(player) => player.respond(ask, budget),
+            Self::Outside(player) => player.respond(ask, budget),
+        }
+    }
+}
+
+/// What the function of a player in Python returns.
+#[derive(FromPyObject)]
+enum Said {
+    /// The answer, the chance to win, simulated shots and rounds.
+    Answer(AnswerArguments, Option<f64>, u64, u32),
+    /// An answer that is none: kind, place, fault and remedy of the error.
+    Unread(String, String, String, String),
+    /// The exception of the player, in one line.
+    Failed(String),
+}
+
+/// A player in Python.
+pub(crate) struct Outside {
+    begin: Arc<Py<PyAny>>,
+    /// The function that is asked; none before the first request of the frame.
+    ask: Option<Py<PyAny>>,
+    raised: Raised,
+}
+
+impl Outside {
+    /// Asks the player: the frame that it sees, the number of the frame in the match, its number and
+    /// its seat, what is left on its clock and the budget of the decision, whether both are seconds, the
+    /// seed of its random numbers, and the refusal of its last answer.
+    fn said(&mut self, py: Python<'_>, ask: &Ask<'_>) -> PyResult<Said> {
+        let function = match &mut self.ask {
+            Some(function) => function,
+            none => none.insert(self.begin.call1(py, (ask.frame_number, ask.seat))?),
+        };
+        let frame = Frame::from(ask.situation.frame.without_seed());
+        let left = ask.left[ask.seat].unwrap_or(ask.budget);
+        let in_seconds = ask.clock.unit == ClockUnit::Seconds;
+        let refused = ask.refused.map(|fault| {
+            let exception = to_exception(py, &Error::Input(Box::new(fault.clone())));
+            exception.into_value(py)
+        });
+        let fields = (frame, ask.seat, left, ask.budget, in_seconds, ask.situation.seed, refused);
+        function.call1(py, fields)?.extract(py)
+    }
+}
+
+impl MatchPlayer for Outside {
+    fn respond(&mut self, ask: &Ask<'_>, _: &Budget<'_>) -> Response {
+        let said = match Python::attach(|py| self.said(py, ask)) {
+            Ok(said) => said,
+            Err(error) => {
+                self.raised.keep(error);
+                return Response::Stop;
+            }
+        };
+        match said {
+            Said::Answer(arguments, win_chance, simulations, rounds) => {
+                let spent = Spent { simulations, rounds };
+                match arguments.read(ask.situation.frame) {
+                    Ok(answer) => Response::Decision(Decision { answer, win_chance, spent }),
+                    Err(Error::Input(fault)) => Response::Unread(*fault, spent),
+                    Err(other) => Response::Failed(EndReason::Crash, other.to_string()),
+                }
+            }
+            Said::Unread(kind, place, what, remedy) => {
+                let known = ErrorKind::ALL.iter().find(|known| known.name() == kind);
+                let kind = known.copied().unwrap_or(ErrorKind::Syntax);
+                let details = Vec::new();
+                let fault = InputError { kind, place, what, remedy, details };
+                Response::Unread(fault, Spent::default())
+            }
+            Said::Failed(why) => Response::Failed(EndReason::Crash, why),
+        }
+    }
+}
