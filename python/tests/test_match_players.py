@@ -228,6 +228,9 @@ def test_plain_answers_are_taken(tmp_path: Path) -> None:
         (None, "answer"),
         ("sing", "choice"),
         ("play-on", "choice"),
+        ("\ud800", "choice"),
+        ({"\ud800": 1}, "answer"),
+        ({1: 1}, "answer"),
         ({"plai": 1}, "answer.plai"),
         (plain({"speed": 1.0}), "strike.azimuth"),
         (plain(FULL, cue_ball=[9.0, 9.0]), "cue_ball"),
@@ -307,6 +310,20 @@ def test_the_exit_of_a_player_is_not_the_end_of_the_match(tmp_path: Path) -> Non
 
     result = carom.play_match(Leaving(), OTHER, out=tmp_path / "m", **{**SHORT, "breaker": 0})
     assert result.score.reasons == {"crash": 2}
+
+
+def test_an_answer_that_fails_when_it_is_read_loses_the_frame(tmp_path: Path) -> None:
+    class Number:
+        def __float__(self) -> float:
+            raise OSError("no number today")
+
+    class Returning:
+        def choose(self, _: carom.Situation) -> Any:
+            return carom.Decision(win_chance=Number())
+
+    result = carom.play_match(Returning(), OTHER, out=tmp_path / "m", **{**SHORT, "breaker": 0})
+    assert result.score.reasons == {"crash": 2}
+    assert "no number today" in (tmp_path / "m" / "errors.log").read_text()
 
 
 @pytest.mark.parametrize("threads", [1, 2])

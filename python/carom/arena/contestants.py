@@ -212,6 +212,7 @@ class Desk:
                     answer = chosen(player, situation)
                     if self.interrupted:
                         raise KeyboardInterrupt
+                    return _said(answer)
                 except BaseException as error:
                     if self.strict or self.interrupted or isinstance(error, KeyboardInterrupt):
                         error.add_note(f"{_RAISED}{where}.")
@@ -219,7 +220,6 @@ class Desk:
                     return self._logged(where, error)
                 finally:
                     self.busy.discard(thread)
-                return _said(answer)
 
             return ask
 
@@ -277,7 +277,7 @@ def _said(answer: Any) -> tuple[Any, ...]:
             whole("rounds", answer.rounds, 1 << 32),
         )
     except InputError as error:
-        return error.kind, error.place, error.fault, error.remedy
-    except TypeError as error:
-        # A key of a plain answer that no play has.
+        return error.kind, error.place or "answer", error.fault, error.remedy
+    except (TypeError, UnicodeError) as error:
+        # A key that no play has, or one that is not valid Unicode.
         return "wrong-type", "answer", str(error), "follow frame.answer_schema()"

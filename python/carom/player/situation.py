@@ -88,7 +88,7 @@ def answer_arguments(answer: Any) -> PlayArguments | str:
     if isinstance(answer, Play):
         return play_arguments(answer.strike, answer.cue_ball, answer.call)
     if isinstance(answer, str):
-        return answer
+        return text("choice", answer)
     if isinstance(answer, Mapping):
         plain = plain_answer(answer)
         if "play" in plain:
