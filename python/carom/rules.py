@@ -315,7 +315,7 @@ class Frame:
     @property
     def game(self) -> str:
         """The game's name."""
-        return str(self.to_dict()["game"])
+        return str(self._core.entry("game"))
 
     @property
     def request(self) -> Request:
@@ -327,7 +327,7 @@ class Frame:
         call), ``choice`` (with ``player``, ``choices``, ``why``) or ``over`` (with ``winner``,
         ``why``). An attribute that the kind does not have is None or empty.
         """
-        return read_request(self.to_dict()["request"])
+        return read_request(self._core.entry("request"))
 
     @property
     def over(self) -> bool:
@@ -347,19 +347,19 @@ class Frame:
     @property
     def scores(self) -> tuple[int, int]:
         """Points of the two players; zero in games without points."""
-        one, other = self.to_dict()["scores"]
+        one, other = self._core.entry("scores")
         return one, other
 
     @property
     def fouls_in_a_row(self) -> tuple[int, int]:
         """Number of fouls in a row of each player."""
-        one, other = self.to_dict()["fouls_in_a_row"]
+        one, other = self._core.entry("fouls_in_a_row")
         return one, other
 
     @property
     def balls(self) -> dict[str, tuple[float, float]]:
         """Positions of the balls on the table, m, by id."""
-        return {ball: (x, y) for ball, (x, y) in self.to_dict()["balls"].items()}
+        return {ball: (x, y) for ball, (x, y) in self._core.entry("balls").items()}
 
     @property
     def hand_bounds(self) -> tuple[tuple[float, float], tuple[float, float]] | None:
@@ -417,7 +417,7 @@ class Frame:
         (the most that the balls on the table are worth) in snooker, and ``misses`` too in six-red;
         ``innings`` in carom games.
         """
-        return GameState(self.to_dict()["state"])
+        return GameState(self._core.entry("state"))
 
     def shot(
         self,

@@ -7,6 +7,7 @@ use carom::format::Node;
 use carom::shot::{Cling, StrikePolicy};
 use carom_mind::Answer;
 use carom_rules::{Choice, ErrorSeeds, Game, Options, Play, Ruling};
+use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
@@ -205,6 +206,12 @@ impl Frame {
 
     fn to_object<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         to_python(py, &self.get().to_node())
+    }
+
+    /// The value under a key of `to_object`.
+    fn entry<'py>(&self, py: Python<'py>, key: &str) -> PyResult<Bound<'py, PyAny>> {
+        let value = self.get().entry(key);
+        to_python(py, &value.ok_or_else(|| PyKeyError::new_err(key.to_owned()))?)
     }
 
     /// Table and physics, as a shot file has them.

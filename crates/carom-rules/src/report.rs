@@ -11,21 +11,33 @@ use crate::play::Call;
 use crate::request::{Request, Turn};
 use crate::ruling::Ruling;
 
+/// The keys of a frame's plain values, in their order.
+const KEYS: [&str; 7] = ["game", "request", "scores", "fouls_in_a_row", "shots", "balls", "state"];
+
 impl Frame {
     /// The frame: game, request, scores, balls.
     pub fn to_node(&self) -> Node {
-        let balls = self.layout().on_table().filter_map(|ball| {
-            Some((self.id(ball).to_owned(), Node::from(self.layout().place(ball)?)))
-        });
-        Node::object([
-            ("game", self.game().name().into()),
-            ("request", self.request_node()),
-            ("scores", Node::list(self.scores().map(i64::from))),
-            ("fouls_in_a_row", Node::list(self.fouls_in_a_row().map(i64::from))),
-            ("shots", i64::from(self.shots()).into()),
-            ("balls", Node::Object(balls.collect())),
-            ("state", self.game_state_node()),
-        ])
+        let entries = KEYS.into_iter().filter_map(|key| Some((key.to_owned(), self.entry(key)?)));
+        Node::Object(entries.collect())
+    }
+
+    /// The value under one of the keys of [`Self::to_node`]; none for another key.
+    pub fn entry(&self, key: &str) -> Option<Node> {
+        Some(match key {
+            "game" => self.game().name().into(),
+            "request" => self.request_node(),
+            "scores" => Node::list(self.scores().map(i64::from)),
+            "fouls_in_a_row" => Node::list(self.fouls_in_a_row().map(i64::from)),
+            "shots" => i64::from(self.shots()).into(),
+            "balls" => {
+                let balls = self.layout().on_table().filter_map(|ball| {
+                    Some((self.id(ball).to_owned(), Node::from(self.layout().place(ball)?)))
+                });
+                Node::Object(balls.collect())
+            }
+            "state" => self.game_state_node(),
+            _ => return None,
+        })
     }
 
     /// A ruling of this frame.
