@@ -21,7 +21,7 @@ impl Frame {
         Node::Object(entries.collect())
     }
 
-    /// The value under one of the keys of [`Self::to_node`]; none for another key.
+    /// The value under one of the keys of [`Self::to_node`]; `None` for another key.
     pub fn entry(&self, key: &str) -> Option<Node> {
         Some(match key {
             "game" => self.game().name().into(),
