@@ -144,7 +144,7 @@ def is_of_player(error: BaseException) -> bool:
 
 
 @dataclass(slots=True)
-class Desk:
+class Asking:
     """Where the players of one's own in a match are asked.
 
     Attributes:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from carom import _core
-from carom.arena.contestants import Contestant, Desk, contestant
+from carom.arena.contestants import Asking, Contestant, contestant
 from carom.arena.result import MatchResult, Score, TestResult
 from carom.arguments import number, numbers, text, thread_count, truth, whole
 from carom.build import Physics, Table
@@ -153,21 +153,21 @@ def play_match(
     }
     given = None if secret is None else text("secret", secret, "64 hexadecimal digits")
     confidence = number("level", level)
-    desk = Desk(folder, truth("strict", strict))
+    asking = Asking(folder, truth("strict", strict))
     entrants = [
         player.name
         if player.make is None
         else (
             player.name,
             player.kind,
-            desk.beginning(player, *_told(index, disclosure, noises, sights)),
+            asking.beginning(player, *_told(index, disclosure, noises, sights)),
         )
         for index, player in enumerate(players)
     ]
     are_asked = any(player.make is not None for player in players)
     if threads is None and are_asked:
         threads = 1
-    watching = desk.watching() if are_asked else nullcontext()
+    watching = asking.watching() if are_asked else nullcontext()
     with stage_bars(["pairs"], show=progress) as report, watching:
         fields = _core.play_match(
             entrants,
@@ -177,7 +177,7 @@ def play_match(
             confidence,
             thread_count(threads),
             report,
-            desk.interrupt,
+            asking.interrupt,
         )
     return _result(game, (players[0].name, players[1].name), fields, confidence, shares)
 
