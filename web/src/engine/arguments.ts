@@ -73,13 +73,13 @@ export function object(place: string, value: unknown): object {
 /**
  * An object without unknown keys.
  *
- * @param keys Every key that it may have.
+ * @param keys An object with every key that it may have.
  * @throws CaromError if `given` is not an object, or has another key.
  */
 export function known<T extends object>(
   place: string,
   given: T,
-  keys: Readonly<Record<keyof T, true>>,
+  keys: Readonly<Record<keyof T, unknown>>,
 ): T {
   for (const key of Object.keys(object(place, given))) {
     if (Object.hasOwn(keys, key)) continue;

@@ -83,7 +83,6 @@ const MOST_VARIANTS = 100_000;
 const VARIANTS = { seed: true, first: true } as const;
 const LEAVE = { noise: true, variants: true, speed: true, offset: true } as const;
 const BREAK = { table: true, preset: true, speed: true, seed: true, gap: true } as const;
-const ROLLING_KEYS = { fastest: true, share: true, least: true, gravity: true } as const;
 const TERMS = { points: true, miss: true, patience: true, target: true } as const;
 const PLAY_ERRORS = { noise: true, seed: true } as const;
 const PLAY = { strike: true, cue_ball: true, call: true, cling: true } as const;
@@ -212,7 +211,7 @@ class WasmEngine implements Engine {
     options: RollingOptions = {},
   ): number | readonly RollingBand[] {
     const law = numbers("", { a, b }, ["a", "b"]);
-    const given = known("options", options, ROLLING_KEYS);
+    const given = known("options", options, ROLLING);
     const tolerance = numbers("", { ...ROLLING, ...given }, Object.keys(ROLLING));
     const [fastest, share, least, gravity] = tolerance;
     return checked(
