@@ -12,7 +12,7 @@ from typing import Any
 import carom
 import pytest
 from carom import _core, streams
-from carom.sweeps.lock import locked
+from carom.lock import locked
 
 ROOT = Path(__file__).parents[2]
 KINDS = {name: (sentence, details) for name, sentence, details in _core.error_kinds()}
@@ -92,8 +92,10 @@ def endless() -> carom.Trace:
 
 
 def locked_twice() -> None:
-    with TemporaryDirectory() as folder, locked(Path(folder)), locked(Path(folder)):
-        pass
+    with TemporaryDirectory() as name:
+        folder = Path(name)
+        with locked(folder, "sweep"), locked(folder, "sweep"):
+            pass
 
 
 def emitted_to_nothing() -> None:

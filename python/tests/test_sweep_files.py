@@ -21,7 +21,7 @@ import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 from carom import InputError, Sweep
-from carom.sweeps.lock import locked
+from carom.lock import locked
 from carom.sweeps.parts import Parts
 
 ROOT = Path(__file__).parents[2]
@@ -295,7 +295,7 @@ def test_ctrl_c_stops_a_table_in_memory(spec: Spec, tmp_path: Path) -> None:
 def locks(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> str:
     """A system with locks of files, and one without."""
     if request.param == "without locks":
-        monkeypatch.setattr("carom.sweeps.lock.lock", no_locks)
+        monkeypatch.setattr("carom.lock.lock", no_locks)
     return str(request.param)
 
 
@@ -307,7 +307,7 @@ def no_locks(_: int) -> None:
 def test_two_runs_do_not_write_in_one_folder(spec: Spec, tmp_path: Path) -> None:
     carom.sweep(spec, tmp_path)
     with (
-        locked(tmp_path),
+        locked(tmp_path, "sweep"),
         pytest.raises(InputError, match="another run writes to it; wait until it ends"),
     ):
         carom.sweep(spec, tmp_path)
@@ -325,7 +325,7 @@ def test_a_run_that_began_after_the_look_at_the_folder_is_noticed(
 
         def check(_: object) -> None:
             folder.mkdir()
-            other.enter_context(locked(folder))
+            other.enter_context(locked(folder, "sweep"))
 
         monkeypatch.setattr("carom.sweeps.play.RowPlayer.check", check)
         with pytest.raises(InputError, match="another run writes to it"):
@@ -334,11 +334,11 @@ def test_a_run_that_began_after_the_look_at_the_folder_is_noticed(
 
 
 RUN = """
-import sys, json, errno, carom, carom.sweeps.lock
+import sys, json, errno, carom, carom.lock
 def no_locks(file):
     raise OSError(errno.ENOLCK, "No locks available")
 if sys.argv[3] == "without locks":
-    carom.sweeps.lock.lock = no_locks
+    carom.lock.lock = no_locks
 spec = carom.Sweep.from_dict(json.loads(sys.argv[1]))
 print("ready", flush=True)
 sys.stdin.readline()
@@ -378,7 +378,7 @@ def test_of_two_runs_that_begin_at_once_one_runs_and_the_other_says_so(
 def test_the_file_of_a_killed_run_stops_nobody_without_locks(
     spec: Spec, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("carom.sweeps.lock.lock", no_locks)
+    monkeypatch.setattr("carom.lock.lock", no_locks)
     program = "import os, socket; print(socket.gethostname(), os.getpid(), 1)"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, check=True)
     (tmp_path / "sweep.running").write_bytes(done.stdout.strip())
@@ -390,7 +390,7 @@ def test_the_file_of_a_killed_run_stops_nobody_without_locks(
 def test_without_locks_a_run_on_another_machine_is_not_taken_for_a_killed_one(
     spec: Spec, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, owner: str
 ) -> None:
-    monkeypatch.setattr("carom.sweeps.lock.lock", no_locks)
+    monkeypatch.setattr("carom.lock.lock", no_locks)
     running = tmp_path / "sweep.running"
     running.write_text(owner, encoding="utf-8")
     with pytest.raises(InputError) as refused:
@@ -407,7 +407,7 @@ def test_a_finished_table_in_a_folder_that_cannot_be_written_is_read(
     def refuse(*_: object) -> int:
         raise OSError(errno.EROFS, "Read-only file system")
 
-    monkeypatch.setattr("carom.sweeps.lock.os.open", refuse)
+    monkeypatch.setattr("carom.lock.os.open", refuse)
     assert carom.sweep(spec, tmp_path).parts_before == 1
 
 

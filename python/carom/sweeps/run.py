@@ -15,9 +15,9 @@ from carom import __version__
 from carom.arguments import cores, whole
 from carom.errors import InputError
 from carom.files import read_text, write_whole
+from carom.lock import locked
 from carom.progress import progress_bar
 from carom.sweeps import on_ray
-from carom.sweeps.lock import locked
 from carom.sweeps.parts import Parts, Receipt, default_rows
 from carom.sweeps.report import Report
 from carom.threads import startable
@@ -141,7 +141,7 @@ def _claimed(player: RowPlayer, folder: Path, part_rows: int | None) -> Iterator
         _check_count(player.spec.rows, part_rows or default_rows(player.spec.rows))
         player.check()
         folder.mkdir(parents=True, exist_ok=True)
-    with locked(folder):
+    with locked(folder, "sweep"):
         # Another run may have begun since.
         if not manifest.exists():
             _begin(player, manifest, part_rows or default_rows(player.spec.rows))

@@ -19,8 +19,6 @@ from pathlib import Path
 
 from carom.errors import InputError
 
-LOCK = "sweep.lock"
-RUNNING = "sweep.running"
 # Errors in a folder that cannot be written to, so that it needs no lock.
 _READ_ONLY = {errno.EACCES, errno.EPERM, errno.EROFS}
 # Attempts to lock a file that ending runs remove.
@@ -30,20 +28,24 @@ _BYTE = 0
 
 
 @contextmanager
-def locked(folder: Path) -> Iterator[None]:
+def locked(folder: Path, what: str) -> Iterator[None]:
     """Keep other runs out of a folder.
+
+    Args:
+        folder: The folder.
+        what: What runs there, such as "sweep"; the files of the lock begin with it.
 
     Raises:
         InputError: Another run has the folder.
         OSError: The folder does not exist or is full.
     """
-    path, release = folder / LOCK, contextlib.ExitStack()
+    path, release = folder / f"{what}.lock", contextlib.ExitStack()
     with release:
         try:
             file = _open_locked(path)
             if file is None:
                 path.unlink(missing_ok=True)
-                path = folder / RUNNING
+                path = path.with_suffix(".running")
                 _claim(path)
         except OSError as error:
             if error.errno not in _READ_ONLY or path.exists():
