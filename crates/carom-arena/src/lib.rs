@@ -63,14 +63,16 @@ mod sight;
 mod thinking_time;
 mod tournament;
 
-pub use arena_frame::{ArenaFrame, Ask, NextStep, REFUSALS};
+pub use arena_frame::{ArenaFrame, Ask, LastShot, NextStep, REFUSALS};
 pub use built_in::{BuiltInPlayer, MOST_PLANNED};
 pub use clock::{Clock, ClockPeriod, ClockUnit, Cost, expected_shots};
 pub use error::ArenaError;
 pub use ledger::RECORD;
 pub use match_player::{MatchPlayer, Response};
 pub use moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
-pub use protocol::{ChannelFault, LineChannel};
+pub use protocol::{
+    ChannelFault, Greeting, LONGEST_LINE, LineChannel, PROTOCOL, ProtocolPlayer, ProtocolSettings,
+};
 pub use record::{MATCH_FORMAT, MatchHeader};
 pub use replay::{RecordDifference, Replay, positions, replay};
 pub use score::{FramePoints, MatchScore, PairScores, elo_of_share, share_of_elo};

@@ -2,9 +2,10 @@
 
 use carom::Error;
 use carom::error::InputError;
+use carom::format::Node;
 use carom_mind::{Budget, Decision, Player, Spent};
 
-use crate::arena_frame::Ask;
+use crate::arena_frame::{ArenaFrame, Ask};
 use crate::moves::EndReason;
 
 /// What a player of a match does when it is asked.
@@ -12,6 +13,8 @@ use crate::moves::EndReason;
 pub enum Response {
     /// It decides.
     Decision(Decision),
+    /// It decides, and says this of its decision, which the record keeps.
+    Explained(Decision, Node),
     /// It gives an answer that cannot be read, which is refused, and what that cost.
     Unread(InputError, Spent),
     /// It gives no answer and loses the frame: why, and the same in words.
@@ -25,6 +28,16 @@ pub enum Response {
 pub trait MatchPlayer: Send {
     /// The response to a request, within the budget.
     fn respond(&mut self, ask: &Ask<'_>, budget: &Budget<'_>) -> Response;
+
+    /// The time that the last response took, s, if the player measures it itself: the clock of a program
+    /// counts from the last byte of the request to the end of the line of the answer. `None` for the time
+    /// of the whole call.
+    fn seconds(&self) -> Option<f64> {
+        None
+    }
+
+    /// The frame of the last response is over.
+    fn frame_over(&mut self, _frame: &ArenaFrame) {}
 }
 
 impl<P: Player + ?Sized> MatchPlayer for Box<P> {

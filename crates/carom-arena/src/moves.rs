@@ -1,6 +1,7 @@
 //! What happened in a frame: its moves, and its end.
 
 use carom::error::InputError;
+use carom::format::Node;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::Cling;
 use carom_mind::Answer;
@@ -68,6 +69,8 @@ pub struct ArenaMove {
     pub is_given: bool,
     /// The probability with which the player expected to win.
     pub win_chance: Option<f64>,
+    /// What else the player said of its decision.
+    pub info: Option<Node>,
     /// What the decision cost.
     pub cost: Cost,
     /// The consequence.

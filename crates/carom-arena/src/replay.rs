@@ -166,8 +166,8 @@ fn play_again(
             NextStep::Over(_) => break,
         }
         match recorded {
-            Recorded::Decision(decision, seconds) => {
-                frame.answer(simulator, &decision, seconds)?;
+            Recorded::Decision(decision, info, seconds) => {
+                frame.answer_explained(simulator, &decision, info, seconds)?;
             }
             Recorded::Unread(fault, cost) => {
                 frame.refuse(simulator, fault, cost)?;

@@ -220,13 +220,18 @@ pub fn play_frame<C: MatchPlayer>(
             runner: Runner::new(Some(1))?,
         };
         let response = players[ask.player].respond(&ask, &budget);
-        let seconds = time.as_ref().map_or(0.0, ThinkingTime::elapsed);
+        let player = &players[ask.player];
+        let elapsed = |time| player.seconds().unwrap_or_else(|| ThinkingTime::elapsed(time));
+        let seconds = time.as_ref().map_or(0.0, elapsed);
         let cost = |spent| Cost { spent, seconds };
         if progress.is_stopped() {
             break;
         }
         match response {
             Response::Decision(decision) => frame.answer(simulator, &decision, seconds)?,
+            Response::Explained(decision, info) => {
+                frame.answer_explained(simulator, &decision, Some(info), seconds)?
+            }
             Response::Unread(fault, spent) => frame.refuse(simulator, fault, cost(spent))?,
             Response::Failed(reason, why) => frame.forfeit(reason, &why, cost(Spent::default()))?,
             Response::Stop => {
@@ -234,6 +239,9 @@ pub fn play_frame<C: MatchPlayer>(
                 break;
             }
         };
+    }
+    if frame.end().is_some() {
+        players.iter_mut().for_each(|player| player.frame_over(frame));
     }
     Ok(())
 }

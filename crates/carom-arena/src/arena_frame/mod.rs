@@ -5,11 +5,13 @@
 //! plays the shot, rules on it and updates clocks and result. The same answers with the same costs
 //! give the same frame to the bit.
 
+mod last_shot;
 mod place;
 
 use std::sync::Arc;
 
 use carom::error::InputError;
+use carom::format::Node;
 use carom::noise::Perception;
 use carom::{Error, ErrorKind, Noise};
 use carom_mind::{Answer, Decision, Situation};
@@ -22,6 +24,8 @@ use crate::moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
 use crate::secret::PairSeeds;
 use crate::settings::{Disclosure, Match, PlayerIndex};
 use crate::sight::perceive;
+
+pub use last_shot::LastShot;
 
 /// Refused answers that each seat may give in a frame; one more loses it. A program that answers
 /// with a wrong key once in a while is not ended, and one that repeats itself does not hang.
@@ -71,6 +75,10 @@ pub struct Ask<'f> {
     pub left: [Option<f64>; 2],
     /// Why the player's last answer to this request was refused.
     pub refused: Option<&'f InputError>,
+    /// The match.
+    pub of: &'f Match,
+    /// The last shot of the frame, as everybody at the table has seen it.
+    pub last: Option<LastShot<'f>>,
 }
 
 impl Ask<'_> {
@@ -207,6 +215,8 @@ impl ArenaFrame {
             clock,
             left: [0, 1].map(|seat| self.left(seat)),
             refused,
+            of: &self.of,
+            last: LastShot::of(&self.moves),
         })
     }
 
@@ -246,6 +256,20 @@ impl ArenaFrame {
         decision: &Decision,
         seconds: f64,
     ) -> Result<&ArenaMove, Error> {
+        self.answer_explained(simulator, decision, None, seconds)
+    }
+
+    /// As [`Self::answer`], with what the player says of its decision, for the record.
+    ///
+    /// # Errors
+    /// As [`Self::answer`].
+    pub fn answer_explained(
+        &mut self,
+        simulator: &mut FrameSimulator,
+        decision: &Decision,
+        info: Option<Node>,
+        seconds: f64,
+    ) -> Result<&ArenaMove, Error> {
         let seat = self.asked_seat()?;
         let cost = Cost { spent: decision.spent, seconds };
         let in_time = self.charge(seat, &cost);
@@ -256,7 +280,8 @@ impl ArenaFrame {
             Answer::Concede => self.concede()?,
         };
         let (answer, win_chance) = (Some(decision.answer), decision.win_chance);
-        self.add(ArenaMove { seat, answer, is_given: false, win_chance, cost, effect }, simulator)
+        let is_given = false;
+        self.add(ArenaMove { seat, answer, is_given, win_chance, info, cost, effect }, simulator)
     }
 
     /// Refuses an answer that could not be read, such as a line that is not JSON. It counts as the
@@ -273,8 +298,15 @@ impl ArenaFrame {
         let seat = self.asked_seat()?;
         let effect =
             if self.charge(seat, &cost) { self.refused(seat, fault) } else { Effect::Late };
-        let unread =
-            ArenaMove { seat, answer: None, is_given: false, win_chance: None, cost, effect };
+        let unread = ArenaMove {
+            seat,
+            answer: None,
+            is_given: false,
+            win_chance: None,
+            info: None,
+            cost,
+            effect,
+        };
         self.add(unread, simulator)
     }
 
@@ -303,6 +335,7 @@ impl ArenaFrame {
             answer: None,
             is_given: false,
             win_chance: None,
+            info: None,
             cost,
             effect,
         }))
@@ -450,8 +483,9 @@ impl ArenaFrame {
         {
             let effect = self.strike(simulator, seat, &fair(&play))?;
             let answer = Some(Answer::Play(play));
-            let (win_chance, cost) = (None, Cost::default());
-            self.moves.push(ArenaMove { seat, answer, is_given: true, win_chance, cost, effect });
+            let (win_chance, info, cost) = (None, None, Cost::default());
+            let is_given = true;
+            self.moves.push(ArenaMove { seat, answer, is_given, win_chance, info, cost, effect });
         }
         if self.end.is_none() {
             self.end = self.end_by_rules();

@@ -4,6 +4,10 @@ use std::time::Instant;
 
 use crate::moves::EndReason;
 
+/// Longest line that a program may write, bytes: a hundred times a request with a menu and a schema.
+/// A longer line loses the frame, so that no program fills the referee's memory.
+pub const LONGEST_LINE: usize = 1 << 20;
+
 /// Lines to and from a program.
 pub trait LineChannel: Send {
     /// Writes a line, given without its end, until `deadline` if there is one.

@@ -1,7 +1,18 @@
-//! The protocol `carom-arena/1` between a referee and a program: JSON, one value on each line.
+//! The protocol `carom-arena/1` between a referee and a program: JSON, one object on each line.
 //!
-//! docs/arena-protocol.md describes it for authors of programs.
+//! [`ProtocolPlayer`] is the program as a player of a match, at the other end of a [`LineChannel`]. It
+//! writes a request for each [`crate::Ask`] and reads the answer. docs/arena-protocol.md describes the
+//! messages for authors of programs.
 
 mod channel;
+mod greeting;
+mod menu;
+mod messages;
+mod player;
+mod plays;
+mod reply;
+mod text;
 
-pub use channel::{ChannelFault, LineChannel};
+pub use channel::{ChannelFault, LONGEST_LINE, LineChannel};
+pub use greeting::{Greeting, PROTOCOL};
+pub use player::{ProtocolPlayer, ProtocolSettings};

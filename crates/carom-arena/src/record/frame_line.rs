@@ -52,7 +52,7 @@ fn end_node(end: &FrameEnd, players: [PlayerIndex; 2]) -> Node {
 }
 
 fn move_node(frame: &Frame, arena_move: &ArenaMove) -> Node {
-    let ArenaMove { seat, answer, is_given, win_chance, cost, effect } = arena_move;
+    let ArenaMove { seat, answer, is_given, win_chance, info, cost, effect } = arena_move;
     let mut node = Node::object([("seat", (*seat as i64).into())]);
     match answer {
         Some(Answer::Play(intended)) => node.set("play", play(frame, intended)),
@@ -67,6 +67,9 @@ fn move_node(frame: &Frame, arena_move: &ArenaMove) -> Node {
     }
     if let Some(chance) = win_chance {
         node.set("win_chance", number(*chance));
+    }
+    if let Some(info) = info {
+        node.set("info", info.clone());
     }
     match effect {
         Effect::Played { execution, ruling, trace } => {
@@ -115,8 +118,8 @@ fn cost_node(cost: &Cost) -> Node {
 
 /// What a move of a record repeats in a frame.
 pub(crate) enum Recorded {
-    /// A decision, and the time that it took, s.
-    Decision(Decision, f64),
+    /// A decision, what the player said of it, and the time that it took, s.
+    Decision(Decision, Option<Node>, f64),
     /// An answer that could not be read, and its cost.
     Unread(InputError, Cost),
     /// A failure of the player: why the frame ended, the same in words, and its cost.
@@ -161,7 +164,8 @@ fn read_move(frame: &Frame, at: &Reader<'_>) -> Result<Recorded, Error> {
     };
     let win_chance = at.get("win_chance").map(|at| read_number(&at)).transpose()?;
     let Cost { spent, seconds } = cost;
-    Ok(Recorded::Decision(Decision { answer, win_chance, spent }, seconds))
+    let info = at.get("info").map(|info| info.node().clone());
+    Ok(Recorded::Decision(Decision { answer, win_chance, spent }, info, seconds))
 }
 
 /// The fault of an answer that could not be read. A record keeps its words and not its kind.

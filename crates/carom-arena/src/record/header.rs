@@ -94,7 +94,7 @@ impl MatchHeader {
             ("clock", Node::list(settings.clock.iter().map(clock_node))),
             ("breaker", breaker),
             ("same_break", same_break.into()),
-            ("disclosure", word_of(&DISCLOSURES, settings.disclosure)),
+            ("disclosure", disclosure_node(settings.disclosure)),
             ("pairs", whole(self.pairs)),
             ("test", self.test.as_ref().map(test_node).into()),
             ("secret_sha256", (&self.secret_sha256).into()),
@@ -183,7 +183,8 @@ fn read_breaker(at: &Reader<'_>) -> Result<Breaker, Error> {
     }
 }
 
-fn clock_node(clock: &Clock) -> Node {
+/// A clock as records and messages have it.
+pub(crate) fn clock_node(clock: &Clock) -> Node {
     let amount = match clock.unit {
         ClockUnit::Simulations => Node::Integer(clock.amount as i64),
         ClockUnit::Seconds => clock.amount.into(),
@@ -228,6 +229,11 @@ fn read_test(at: &Reader<'_>) -> Result<SequentialTest, Error> {
     let (p0, p1, alpha, beta) = (key("p0")?, key("p1")?, key("alpha")?, key("beta")?);
     let test = SequentialTest { p0, p1, alpha, beta };
     test.check().map(|()| test)
+}
+
+/// The name of a disclosure.
+pub(crate) fn disclosure_node(disclosure: Disclosure) -> Node {
+    word_of(&DISCLOSURES, disclosure)
 }
 
 fn word_of<T: PartialEq>(words: &[(&'static str, T)], value: T) -> Node {

@@ -14,7 +14,8 @@ use crate::secret::{LineHash, Secret};
 
 pub(crate) use frame_line::{Recorded, frame_line, frame_number, frame_points, read_moves};
 pub use header::MatchHeader;
-pub(crate) use header::read_agreement;
+pub(crate) use header::{clock_node, disclosure_node, read_agreement};
+pub(crate) use values::{place, strike};
 
 /// The format's name, `format` of the header.
 pub const MATCH_FORMAT: &str = "carom-match/1";

@@ -60,7 +60,8 @@ pub(super) fn two<T>(
     }
 }
 
-pub(super) fn strike(strike: &Strike) -> Node {
+/// A strike with all its numbers.
+pub(crate) fn strike(strike: &Strike) -> Node {
     Node::object([
         ("speed", number(strike.speed)),
         ("azimuth", number(strike.azimuth)),
@@ -82,7 +83,7 @@ fn read_strike(at: &Reader<'_>) -> Result<Strike, Error> {
 }
 
 /// A place of the cue ball (file coordinates, m).
-pub(super) fn place([x, y]: [f64; 2]) -> Node {
+pub(crate) fn place([x, y]: [f64; 2]) -> Node {
     Node::List(vec![number(x), number(y)])
 }
 
