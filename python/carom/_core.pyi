@@ -15,6 +15,7 @@ from carom.player.thinking import Thinking
 __all__ = [
     "TIP",
     "Frame",
+    "OpenMatch",
     "Player",
     "Shot",
     "Trace",
@@ -46,6 +47,7 @@ __all__ = [
     "physics",
     "plain",
     "play_match",
+    "play_pair",
     "play_rows",
     "players",
     "points",
@@ -84,6 +86,9 @@ _Strike = tuple[float, float, float | None, float, float]
 
 # Called with the number of the stage, the items done in it, and the number of its items.
 _Report = Callable[[int, int, int], object]
+
+# A player of a match: the name of a built-in one; or name, class, and the function that begins a frame.
+_Entrant = str | tuple[str, str, Callable[[int, int], Callable[..., Any]]]
 
 @final
 class Frame:
@@ -337,15 +342,41 @@ class Player:
 
 def players() -> list[str]: ...
 def play_match(
-    players: Sequence[str | tuple[str, str, Callable[[int, int], Callable[..., Any]]]],
+    players: Sequence[_Entrant],
     agreed: object,
     secret: str | None,
     folder: PathLike[str],
     level: float,
     threads: int,
     report: _Report,
-    interrupt: Callable[[], None] | None,
+    interrupt: Callable[[], None],
 ) -> dict[str, Any]: ...
+def play_pair(
+    players: Sequence[_Entrant],
+    agreed: object,
+    secret: str,
+    number: int,
+    report: _Report,
+    interrupt: Callable[[], None],
+) -> tuple[str, str]: ...
+
+@final
+class OpenMatch:
+    def __new__(
+        cls,
+        players: Sequence[_Entrant],
+        agreed: object,
+        secret: str | None,
+        folder: PathLike[str],
+    ) -> OpenMatch: ...
+    @property
+    def secret(self) -> str: ...
+    @property
+    def played(self) -> int: ...
+    def next_pair(self) -> int | None: ...
+    def add(self, number: int, lines: Sequence[str]) -> None: ...
+    def close(self, level: float) -> dict[str, Any]: ...
+
 def pair_interval(counts: list[int], level: float) -> tuple[float, float]: ...
 def replay_match(text: str, level: float, threads: int, report: _Report) -> dict[str, Any]: ...
 

@@ -18,6 +18,7 @@ use carom::{Error, ErrorKind};
 
 use crate::error::ArenaError;
 use crate::hold::Hold;
+use crate::pair::PlayedPair;
 use crate::record::{at_line, frame_number, frame_points, last_line, read_last_line, read_line};
 use crate::score::FramePoints;
 use crate::secret::{LineHash, Secret};
@@ -30,7 +31,7 @@ const SECRET: &str = "secret";
 const UNFINISHED: &str = "match.jsonl.part";
 
 /// A pair in `played.jsonl`.
-struct PlayedPair {
+struct WrittenPair {
     /// Place of its two lines in the file, bytes.
     start: u64,
     length: u64,
@@ -49,7 +50,7 @@ enum LedgerState {
     /// The record is complete: the points of its frames.
     Finished(Vec<[FramePoints; 2]>),
     /// The pairs that were played, by their numbers, and the file that holds them.
-    Open { file: File, end: u64, pairs: BTreeMap<u64, PlayedPair>, _hold: Hold },
+    Open { file: File, end: u64, pairs: BTreeMap<u64, WrittenPair>, _hold: Hold },
 }
 
 impl Ledger {
@@ -117,20 +118,23 @@ impl Ledger {
         }
     }
 
-    /// Adds a pair: the lines of its two frames.
-    pub(crate) fn add(
-        &mut self,
-        pair: u64,
-        frames: &[Node; 2],
-        points: [FramePoints; 2],
-    ) -> Result<(), ArenaError> {
+    /// Number of pairs that were played.
+    pub(crate) fn len(&self) -> u64 {
+        match &self.state {
+            LedgerState::Finished(pairs) => pairs.len() as u64,
+            LedgerState::Open { pairs, .. } => pairs.len() as u64,
+        }
+    }
+
+    /// Adds a pair that was played.
+    pub(crate) fn add(&mut self, pair: &PlayedPair) -> Result<(), ArenaError> {
         let LedgerState::Open { file, end, pairs, .. } = &mut self.state else { return Ok(()) };
-        let [one, other] = frames.each_ref().map(Node::to_json_line);
+        let [one, other] = pair.lines();
         let text = format!("{one}\n{other}\n");
         let path = self.folder.join(PLAYED);
         file.write_all(text.as_bytes()).map_err(ArenaError::file(&path))?;
         let length = text.len() as u64;
-        pairs.insert(pair, PlayedPair { start: *end, length, points });
+        pairs.insert(pair.number(), WrittenPair { start: *end, length, points: pair.points() });
         *end += length;
         Ok(())
     }
@@ -282,7 +286,7 @@ fn read_played(
     file: &File,
     path: &Path,
     header: &str,
-) -> Result<(BTreeMap<u64, PlayedPair>, u64), ArenaError> {
+) -> Result<(BTreeMap<u64, WrittenPair>, u64), ArenaError> {
     let in_file = |error| in_folder(path.parent().unwrap_or(path), PLAYED)(error);
     let mut reader = BufReader::new(file);
     let mut bytes = Vec::new();
@@ -321,7 +325,7 @@ fn read_played(
         };
         let (pair, points) = read().map_err(|error| in_file(at_line(error, number)))?;
         let length = length_before + length;
-        pairs.insert(pair, PlayedPair { start: end, length, points });
+        pairs.insert(pair, WrittenPair { start: end, length, points });
         end += length;
     }
     Ok((pairs, end))

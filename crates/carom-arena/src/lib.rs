@@ -52,6 +52,8 @@ mod hold;
 mod ledger;
 mod match_player;
 mod moves;
+mod open_match;
+mod pair;
 mod protocol;
 mod record;
 mod replay;
@@ -70,6 +72,8 @@ pub use error::ArenaError;
 pub use ledger::RECORD;
 pub use match_player::{MatchPlayer, Response};
 pub use moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
+pub use open_match::{MatchReport, OpenMatch};
+pub use pair::{MatchPlan, PlayedPair, play_frame, play_pair};
 pub use protocol::{
     ChannelFault, Greeting, LONGEST_LINE, LineChannel, PROTOCOL, ProtocolPlayer, ProtocolSettings,
 };
@@ -80,4 +84,4 @@ pub use secret::{PairSeeds, Secret};
 pub use sequential::{Hypothesis, SequentialTest, TestState};
 pub use settings::{Breaker, Disclosure, Match, MatchSettings, PlayerEntry, PlayerIndex};
 pub use thinking_time::{ThinkingTime, TimeLimit};
-pub use tournament::{MatchPlan, MatchReport, play_frame, play_match};
+pub use tournament::play_match;

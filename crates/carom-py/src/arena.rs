@@ -1,19 +1,23 @@
-//! Matches: `_core.play_match` and `_core.replay_match`; the interval of
+//! Matches: `_core.play_match`, `_core.play_pair`, `_core.OpenMatch` and `_core.replay_match`; the interval of
 //! pairs that were played elsewhere: `_core.pair_interval`.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
+use std::sync::{Mutex, PoisonError};
 
 use carom::format::Node;
 use carom::runner::Runner;
 use carom_arena::{
-    Hypothesis, MatchPlan, MatchReport, MatchScore, PairScores, Replay, Secret, TestState,
-    elo_of_share,
+    ArenaError, Hypothesis, MatchPlan, MatchReport, MatchScore, PairScores, PlayedPair, Replay,
+    Secret, TestState, elo_of_share,
 };
-use carom_plan::{Interval, check_level};
+use carom_plan::{Interval, Progress, check_level};
+use carom_rules::FrameSimulator;
+use pyo3::exceptions::PyKeyboardInterrupt;
 use pyo3::prelude::*;
 
 use crate::error::{arena_exception, to_exception};
+use crate::exceptions::CaromError;
 use crate::match_player::{Entrant, EntrantArguments, Raised};
 use crate::node::{from_python, to_python};
 use crate::options::count;
@@ -87,10 +91,68 @@ pub(crate) struct MatchFields {
     secret_sha256: String,
 }
 
-/// Plays or continues a match in `folder`. `agreed`: the keys of a record's header without `format`,
-/// `engine`, `secret_sha256` and `players`. `report` is called with 0, pairs done, all pairs.
-/// `interrupt` is called again and again after a stop, until the players have ended; None if no player
-/// needs it. Players in Python and one thread have the calling thread.
+impl MatchFields {
+    fn new(report: MatchReport, level: f64) -> Self {
+        let MatchReport { record, score, test, pairs, secret_sha256 } = report;
+        let (score, test) = (ScoreFields::new(&score, level), test.map(TestFields::from));
+        Self { record, played_pairs: pairs, score, test, secret_sha256 }
+    }
+}
+
+/// The players of a match and what is agreed, from Python.
+struct Setup {
+    entrants: [Entrant; 2],
+    plan: MatchPlan,
+    raised: Raised,
+}
+
+impl Setup {
+    /// `agreed`: the keys of a record's header without `format`, `engine`, `secret_sha256` and `players`.
+    fn read(
+        players: [EntrantArguments; 2],
+        agreed: &Bound<'_, PyAny>,
+        secret: Option<String>,
+    ) -> PyResult<Self> {
+        let raise = |error| to_exception(agreed.py(), &error);
+        let raised = Raised::default();
+        let entrants = match players.map(|player| Entrant::read(player, &raised)) {
+            [Ok(one), Ok(other)] => [one, other],
+            [Err(error), _] | [_, Err(error)] => return Err(raise(error)),
+        };
+        let mut agreed = from_python(agreed)?;
+        agreed.set("players", Node::list(entrants.each_ref().map(Entrant::entry)));
+        let secret = secret.map(|digits| Secret::parse(&digits)).transpose().map_err(raise)?;
+        let plan = MatchPlan::from_node(&agreed, secret).map_err(raise)?;
+        Ok(Self { entrants, plan, raised })
+    }
+
+    /// What `play` returns, or the exception of a player. `interrupt` is called again and again after a
+    /// stop, until the players have ended. Players in Python and one thread have the calling thread.
+    fn run<T: Send>(
+        &self,
+        report: &Py<PyAny>,
+        interrupt: &Py<PyAny>,
+        threads: usize,
+        play: impl FnOnce(&Progress) -> Result<T, ArenaError> + Send,
+    ) -> PyResult<T> {
+        let after_stop = || {
+            // A failure leaves the players to end by themselves.
+            let _ = Python::attach(|py| interrupt.call0(py).map(drop));
+        };
+        let is_outside = self.entrants.iter().any(Entrant::is_outside);
+        let watch =
+            if is_outside && threads == 1 { Watch::Here } else { Watch::Beside(&after_stop) };
+        Python::attach(|py| {
+            let played = progress::run_with(py, report, &watch, |progress| Ok(play(progress)))?;
+            match self.raised.take() {
+                Some(error) => Err(error),
+                None => played.map_err(|error| arena_exception(py, &error)),
+            }
+        })
+    }
+}
+
+/// Plays or continues a match in `folder`; see [`Setup`]. `report` is called with 0, pairs done, all pairs.
 #[pyfunction]
 #[pyo3(signature = (players, agreed, secret, folder, level, threads, report, interrupt))]
 #[expect(clippy::too_many_arguments, reason = "Python's side has names for them")]
@@ -103,40 +165,102 @@ pub(crate) fn play_match(
     level: f64,
     threads: usize,
     report: Py<PyAny>,
-    interrupt: Option<Py<PyAny>>,
+    interrupt: Py<PyAny>,
 ) -> PyResult<MatchFields> {
     let raise = |error| to_exception(py, &error);
     check_level(level).map_err(raise)?;
-    let raised = Raised::default();
-    let players = players.map(|player| Entrant::read(player, &raised));
-    let players = match players {
-        [Ok(one), Ok(other)] => [one, other],
-        [Err(error), _] | [_, Err(error)] => return Err(raise(error)),
-    };
-    let mut agreed = from_python(agreed)?;
-    agreed.set("players", Node::list(players.each_ref().map(Entrant::entry)));
-    let secret = secret.map(|digits| Secret::parse(&digits)).transpose().map_err(raise)?;
-    let plan = MatchPlan::from_node(&agreed, secret).map_err(raise)?;
+    let setup = Setup::read(players, agreed, secret)?;
     let runner = Runner::new(count(threads)).map_err(raise)?;
-    let make = |index: usize| players[index].make();
-    let after_stop = || {
-        if let Some(interrupt) = &interrupt {
-            // A failure leaves the players to end by themselves.
-            let _ = Python::attach(|py| interrupt.call0(py).map(drop));
-        }
-    };
-    let is_outside = players.iter().any(Entrant::is_outside);
-    let watch = if is_outside && threads == 1 { Watch::Here } else { Watch::Beside(&after_stop) };
-    let played = progress::run_with(py, &report, &watch, |progress| {
-        Ok(carom_arena::play_match(&plan, &folder, &make, &runner, progress))
+    let make = |index: usize| setup.entrants[index].make();
+    let played = setup.run(&report, &interrupt, threads, |progress| {
+        carom_arena::play_match(&setup.plan, &folder, &make, &runner, progress)
     })?;
-    if let Some(error) = raised.take() {
-        return Err(error);
+    Ok(MatchFields::new(played, level))
+}
+
+/// Plays pair `number` of a match on one thread; see [`play_match`]. Returns its two lines of the record.
+#[pyfunction]
+pub(crate) fn play_pair(
+    py: Python<'_>,
+    players: [EntrantArguments; 2],
+    agreed: &Bound<'_, PyAny>,
+    secret: &str,
+    number: u64,
+    report: Py<PyAny>,
+    interrupt: Py<PyAny>,
+) -> PyResult<[String; 2]> {
+    let secret = Secret::parse(secret).map_err(|error| to_exception(py, &error))?;
+    let setup = Setup::read(players, agreed, None)?;
+    let make = |index: usize| setup.entrants[index].make();
+    let played = setup.run(&report, &interrupt, 1, |progress| {
+        let simulator = &mut FrameSimulator::new();
+        let (plan, make) = (&setup.plan, &make);
+        Ok(carom_arena::play_pair(plan, &secret, number, make, simulator, progress)?)
+    })?;
+    // Without an exception only the end of this thread's work stops a pair.
+    played.map(|pair| pair.lines().clone()).ok_or_else(|| PyKeyboardInterrupt::new_err(()))
+}
+
+/// A match in its folder, whose pairs are played elsewhere.
+#[pyclass(frozen, module = "carom._core")]
+pub(crate) struct OpenMatch(Mutex<Option<carom_arena::OpenMatch>>);
+
+impl OpenMatch {
+    /// What `use_it` returns for the match, which is not closed.
+    fn with<T>(&self, use_it: impl FnOnce(&mut carom_arena::OpenMatch) -> T) -> PyResult<T> {
+        match self.0.lock().unwrap_or_else(PoisonError::into_inner).as_mut() {
+            Some(open) => Ok(use_it(open)),
+            None => Err(CaromError::new_err("match: it is closed; open it again")),
+        }
     }
-    let MatchReport { record, score, test, pairs, secret_sha256 } =
-        played.map_err(|error| arena_exception(py, &error))?;
-    let (score, test) = (ScoreFields::new(&score, level), test.map(TestFields::from));
-    Ok(MatchFields { record, played_pairs: pairs, score, test, secret_sha256 })
+}
+
+#[pymethods]
+impl OpenMatch {
+    #[new]
+    fn new(
+        py: Python<'_>,
+        players: [EntrantArguments; 2],
+        agreed: &Bound<'_, PyAny>,
+        secret: Option<String>,
+        folder: PathBuf,
+    ) -> PyResult<Self> {
+        let setup = Setup::read(players, agreed, secret)?;
+        let open = carom_arena::OpenMatch::open(&setup.plan, &folder);
+        Ok(Self(Mutex::new(Some(open.map_err(|error| arena_exception(py, &error))?))))
+    }
+
+    /// 64 hexadecimal digits.
+    #[getter]
+    fn secret(&self) -> PyResult<String> {
+        self.with(|open| open.secret().to_hex())
+    }
+
+    /// Number of pairs that were played.
+    #[getter]
+    fn played(&self) -> PyResult<u64> {
+        self.with(|open| open.played())
+    }
+
+    /// The number of the next pair to play; None if no more are needed.
+    fn next_pair(&self) -> PyResult<Option<u64>> {
+        self.with(carom_arena::OpenMatch::next_pair)
+    }
+
+    /// Writes the pair with these lines to the folder.
+    fn add(&self, py: Python<'_>, number: u64, lines: [String; 2]) -> PyResult<()> {
+        let pair = PlayedPair::read(number, lines).map_err(|error| to_exception(py, &error))?;
+        self.with(|open| open.add(&pair))?.map_err(|error| arena_exception(py, &error))
+    }
+
+    /// What the match has come to. The folder is free afterwards.
+    fn close(&self, py: Python<'_>, level: f64) -> PyResult<MatchFields> {
+        check_level(level).map_err(|error| to_exception(py, &error))?;
+        let open = self.0.lock().unwrap_or_else(PoisonError::into_inner).take();
+        let open = open.ok_or_else(|| CaromError::new_err("match: it is closed; open it again"))?;
+        let report = open.close().map_err(|error| arena_exception(py, &error))?;
+        Ok(MatchFields::new(report, level))
+    }
 }
 
 /// The first value that a replay does not reproduce; a dict in Python.

@@ -9,7 +9,7 @@ import traceback
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
-from pathlib import Path
+from functools import partial
 from types import FrameType
 from typing import Any
 
@@ -20,9 +20,6 @@ from carom.noise import Noise, Perception
 from carom.player import Decision, Player, Situation
 from carom.player.situation import answer_arguments, chosen
 from carom.rules import Frame
-
-#: The file beside a record with the tracebacks of the players' exceptions.
-LOG = "errors.log"
 
 # Begins the note of an exception that a player raised.
 _RAISED = "A player raised it: "
@@ -73,7 +70,7 @@ def contestant(argument: str, value: Any) -> Contestant:
         return Contestant(
             _name(argument, value, type(value)),
             noise=noise,
-            make=lambda: copy.deepcopy(value),
+            make=partial(copy.deepcopy, value),
             kind=type(value).__name__,
         )
     if callable(value):
@@ -138,6 +135,12 @@ def _name(argument: str, value: Any, kind: type) -> str:
     return name
 
 
+def line_of(error: BaseException) -> str:
+    """An exception in one line."""
+    line = " ".join(f"{type(error).__name__}: {error}".split())
+    return line.encode(errors="replace").decode()[:_LONGEST_MESSAGE]
+
+
 def is_of_player(error: BaseException) -> bool:
     """Whether a player of a match raised this exception, which stopped the match."""
     return any(note.startswith(_RAISED) for note in getattr(error, "__notes__", ()))
@@ -148,7 +151,7 @@ class Asking:
     """Where the players of one's own in a match are asked.
 
     Attributes:
-        folder: The folder of the match, which gets the log.
+        log: Gets the text of an exception of a player.
         strict: Whether an exception of a player stops the match.
         busy: The threads on which a player is choosing.
         interrupted: Whether Ctrl-C has come. A player may catch its exception, and the search of a
@@ -156,7 +159,7 @@ class Asking:
         lock: Held while the log is written.
     """
 
-    folder: Path
+    log: Callable[[str], object]
     strict: bool
     busy: set[int] = field(default_factory=set)
     interrupted: bool = False
@@ -227,10 +230,9 @@ class Asking:
 
     def _logged(self, where: str, error: BaseException) -> str:
         """The exception in one line; its traceback is written to the log."""
-        with self.lock, (self.folder / LOG).open("a", encoding="utf-8") as log:
-            log.write(f"{where}:\n{''.join(traceback.format_exception(error))}\n")
-        line = " ".join(f"{type(error).__name__}: {error}".split())
-        return line.encode(errors="replace").decode()[:_LONGEST_MESSAGE]
+        with self.lock:
+            self.log(f"{where}:\n{''.join(traceback.format_exception(error))}\n")
+        return line_of(error)
 
     @contextmanager
     def watching(self) -> Iterator[None]:

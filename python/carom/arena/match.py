@@ -2,36 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from contextlib import nullcontext
-from dataclasses import replace
-from pathlib import Path
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any
 
 from carom import _core
-from carom.arena.contestants import Asking, Contestant, contestant
-from carom.arena.result import MatchResult, Score, TestResult
-from carom.arguments import number, numbers, text, thread_count, truth, whole
+from carom.arena.contestants import Asking
+from carom.arena.pair import OpenMatch, log_to
+from carom.arena.plan import MatchPlan
+from carom.arena.processes import check, play_in_processes
+from carom.arena.result import MatchResult
+from carom.arguments import number, thread_count
 from carom.build import Physics, Table
 from carom.errors import InputError
 from carom.files import checked_path
-from carom.noise import Noise, Perception, noise_or_default, perception_or_none
+from carom.noise import Noise, Perception
 from carom.player import Play, Player
 from carom.player.situation import Chooser
-from carom.player.thinking import seconds
 from carom.progress import stage_bars
 from carom.reference import DEFAULT_OPTIONS
-from carom.rules import Frame
 
 if TYPE_CHECKING:
     import os
-
-    T = TypeVar("T")
-
-# Thinking time of a frame and player, s: that of the Computational Olympiad.
-_OLYMPIAD = 600.0
-# Error probabilities of a sequential test.
-_ERROR_RATE = 0.05
 
 
 def play_match(
@@ -60,6 +52,7 @@ def play_match(
     max_events: int = 100_000,
     level: float = 0.95,
     threads: int | None = None,
+    processes: int | None = None,
     strict: bool = False,
     progress: bool = False,
 ) -> MatchResult:
@@ -111,172 +104,68 @@ def play_match(
         threads: Number of threads; None is one per core, and one if a player is not a built-in
             one. Players in Python take turns with the interpreter's lock, and a clock of seconds
             counts the time for which they wait.
+        processes: Number of processes that play pairs, in place of threads, so that players in
+            Python compute on all cores; None is this process alone. The players must be picklable:
+            their classes stand at the top of a module or of the program, and a program that is a
+            file has its call under ``if __name__ == "__main__":``.
         strict: Whether an exception of a player of one's own stops the match, and is raised. Pairs
             that had ended are kept.
         progress: Show a progress bar on stderr.
 
     Raises:
         InputError: There is no such player or game, a value has the wrong type or is out of
-            range, or the folder has another match.
+            range, the folder has another match, a player cannot be pickled, or a process has
+            ended.
         OSError: A file cannot be read or written.
     """
-    players = (contestant("one", one), contestant("other", other))
-    folder = checked_path("out", out, "match")
-    budgets: dict[str, Any] = {
-        "simulations": simulations,
-        "frame_simulations": frame_simulations,
-        "time": time,
-        "clock": clock,
-    }
-    clocks = _clocks(players, budgets)
-    noises = _noises(players, noise)
-    sights = tuple(perception_or_none(each) for each in _each("perception", perception))
-    shares = None if test is None else _test(test)
-    agreed = {
-        "game": text("game", game, '"eight-ball"'),
-        "options": {
-            "points": whole("points", points, 1 << 31, low=1),
-            "miss": truth("miss", miss),
-            "patience": whole("patience", patience, 1 << 32, low=1),
-        },
-        "table": table.description if isinstance(table, Table) else table,
-        "physics": physics.description if isinstance(physics, Physics) else physics,
-        "max_events": whole("max_events", max_events, 1 << 32, low=1),
-        "noise": [each.to_dict() for each in noises],
-        "perception": [each.to_dict() for each in sights],
-        "clock": clocks,
-        "breaker": breaker,
-        "same_break": None if same_break is None else _break(same_break, game, table, physics),
-        "disclosure": text("disclosure", disclosure, '"both"'),
-        "test": shares,
-        "pairs": whole("pairs", pairs, low=1),
-    }
-    given = None if secret is None else text("secret", secret, "64 hexadecimal digits")
-    confidence = number("level", level)
-    asking = Asking(folder, truth("strict", strict))
-    entrants = [
-        player.name
-        if player.make is None
-        else (
-            player.name,
-            player.kind,
-            asking.beginning(player, *_told(index, disclosure, noises, sights)),
-        )
-        for index, player in enumerate(players)
-    ]
-    are_asked = any(player.make is not None for player in players)
-    if threads is None and are_asked:
-        threads = 1
-    watching = asking.watching() if are_asked else nullcontext()
-    with stage_bars(["pairs"], show=progress) as report, watching:
-        fields = _core.play_match(
-            entrants,
-            agreed,
-            given,
-            folder,
-            confidence,
-            thread_count(threads),
-            report,
-            asking.interrupt,
-        )
-    return _result(game, (players[0].name, players[1].name), fields, confidence, shares)
-
-
-def _told(
-    player: int,
-    disclosure: str,
-    noises: Sequence[Noise],
-    sights: Sequence[Perception],
-) -> tuple[tuple[Noise, Noise], Perception]:
-    """The errors that a player knows: of its strikes and the other's, and of its perception."""
-    nothing = Noise()
-    own = nothing if disclosure == "nothing" else noises[player]
-    other = noises[1 - player] if disclosure == "both" else nothing
-    return (own, other), Perception() if disclosure == "nothing" else sights[player]
-
-
-def _result(
-    game: str,
-    names: tuple[str, str],
-    fields: dict[str, Any],
-    level: float,
-    test: dict[str, float] | None,
-) -> MatchResult:
-    state = fields["test"]
-    return MatchResult(
+    plan = MatchPlan(
+        one,
+        other,
         game=game,
-        score=Score._read(fields["score"], names, level),
-        test=None if state is None or test is None else TestResult(test["p0"], test["p1"], **state),
-        record=None if fields["record"] is None else Path(fields["record"]),
-        played_pairs=fields["played_pairs"],
-        secret_sha256=fields["secret_sha256"],
+        pairs=pairs,
+        noise=noise,
+        perception=perception,
+        table=table,
+        physics=physics,
+        simulations=simulations,
+        frame_simulations=frame_simulations,
+        time=time,
+        clock=clock,
+        breaker=breaker,
+        same_break=same_break,
+        disclosure=disclosure,
+        test=test,
+        secret=secret,
+        points=points,
+        miss=miss,
+        patience=patience,
+        max_events=max_events,
+        strict=strict,
     )
-
-
-def _each(name: str, value: T | tuple[T, T]) -> tuple[T, T]:
-    """The value of each player."""
-    if not isinstance(value, tuple | list):
-        return value, value
-    if len(value) != 2:
-        raise InputError(
-            "wrong-count", name, f"{len(value)} values", "give one, or one for each of two players"
-        )
-    return value[0], value[1]
-
-
-def _noises(players: tuple[Contestant, Contestant], noise: Any) -> list[Noise]:
-    """The errors of both players."""
-    if noise is None:
-        return [noise_or_default(player.noise) for player in players]
-    return [noise_or_default(each) for each in _each("noise", noise)]
-
-
-def _clocks(
-    players: tuple[Contestant, Contestant], given: Mapping[str, Any]
-) -> list[dict[str, Any]]:
-    """The players' clocks in the form of a record."""
-    written = [name for name, value in given.items() if value is not None]
-    if len(written) > 1:
-        raise InputError("duplicate", written[1], f"{written[0]} is given too", "give one of them")
-    name = written[0] if written else "clock"
-    amounts = _each(name, given[name] if written else _OLYMPIAD)
-    clocks: list[dict[str, Any]] = []
-    for player, amount in zip(players, amounts, strict=True):
-        if player.simulations is not None:
-            clocks.append({"simulations": player.simulations, "per": "decision"})
-            continue
-        per = "decision" if name in ("simulations", "time") else "frame"
-        if name.endswith("simulations"):
-            clocks.append({"simulations": whole(name, amount, 1 << 32, low=1), "per": per})
-        else:
-            clocks.append({"seconds": seconds(name, amount), "per": per})
-    return clocks
-
-
-def _break(
-    play: Play,
-    game: str,
-    table: Table | str | Mapping[str, Any] | None,
-    physics: Physics | str | Mapping[str, Any] | None,
-) -> dict[str, Any]:
-    """A break in the form of a record of a match; with the default elevation if it has none."""
-    if not isinstance(play, Play):
-        raise InputError(
-            "wrong-type", "same_break", f"found a {type(play).__name__}", "give carom.Play(...)"
-        )
-    if play.strike.elevation is None:
-        try:
-            shot = play.shot(Frame(game, table=table, physics=physics))
-        except InputError as error:
-            raise error.inside("same_break") from None
-        play = replace(play, strike=replace(play.strike, elevation=shot.elevation))
-    written = play.to_dict()
-    if play.call is not None:
-        call = {"kind": play.call.kind, "ball": play.call.ball, "pocket": play.call.into}
-        written["call"] = {key: value for key, value in call.items() if value is not None}
-    return written
-
-
-def _test(shares: Sequence[float]) -> dict[str, float]:
-    p0, p1 = numbers("test", shares, 2)
-    return {"p0": p0, "p1": p1, "alpha": _ERROR_RATE, "beta": _ERROR_RATE}
+    folder = checked_path("out", out, "match")
+    confidence = number("level", level)
+    with stage_bars(["pairs"], show=progress) as report:
+        if processes is not None:
+            if threads is not None:
+                raise InputError(
+                    "conflict", "threads", "processes is given too", "give one of them"
+                )
+            count = check(plan, processes)
+            with OpenMatch(plan, folder) as match:
+                play_in_processes(match, count, report)
+                return match.close(confidence)
+        if threads is None and plan.asks:
+            threads = 1
+        asking = Asking(log_to(folder), plan.strict)
+        with asking.watching() if plan.asks else nullcontext():
+            fields = _core.play_match(
+                plan.entrants(asking),
+                plan.agreed,
+                plan.secret,
+                folder,
+                confidence,
+                thread_count(threads),
+                report,
+                asking.interrupt,
+            )
+    return MatchResult._read(fields, plan.game, plan.names, confidence, plan.test)

@@ -193,6 +193,28 @@ class MatchResult:
     played_pairs: int
     secret_sha256: str
 
+    @classmethod
+    def _read(
+        cls,
+        fields: dict[str, Any],
+        game: str,
+        names: tuple[str, str],
+        level: float,
+        test: dict[str, float] | None,
+    ) -> Self:
+        """The result from its values in Rust."""
+        state = fields["test"]
+        return cls(
+            game=game,
+            score=Score._read(fields["score"], names, level),
+            test=None
+            if state is None or test is None
+            else TestResult(test["p0"], test["p1"], **state),
+            record=None if fields["record"] is None else Path(fields["record"]),
+            played_pairs=fields["played_pairs"],
+            secret_sha256=fields["secret_sha256"],
+        )
+
     @property
     def finished(self) -> bool:
         """Whether all pairs are played that the number of pairs or the test asks for."""

@@ -109,6 +109,12 @@ def match(
     threads: Annotated[
         int | None, typer.Option(min=1, help="Number of threads; default: one per core.")
     ] = None,
+    processes: Annotated[
+        int | None,
+        typer.Option(
+            min=1, help="Number of processes, in place of threads, for players in Python."
+        ),
+    ] = None,
     strict: Annotated[
         bool, typer.Option("--strict", help="Stop at the first exception of a player of your own.")
     ] = False,
@@ -157,6 +163,7 @@ def match(
             secret=secret,
             level=level,
             threads=threads,
+            processes=processes,
             strict=strict,
             progress=sys.stderr.isatty(),
         )

@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import sys
-from importlib import util
 from pathlib import Path
-from types import ModuleType
 from typing import Any
 
+from carom.arena.player_files import load_file
 from carom.errors import InputError
 from carom.files import shown
 
@@ -37,7 +35,7 @@ def named_player(argument: str, word: str) -> Any:
     if not separator:
         return word
     path = Path(file + ".py")
-    module = _loaded(argument, path)
+    module = load_file(argument, path)
     found = getattr(module, name, None)
     if found is None:
         classes = [
@@ -55,30 +53,3 @@ def named_player(argument: str, word: str) -> Any:
 
 
 _CLASS = "write a class with a method choose(self, situation)"
-
-
-def _loaded(argument: str, path: Path) -> ModuleType:
-    """The module of a file. It can import the modules beside it, as a program can."""
-    if not path.is_file():
-        raise InputError(
-            "missing", argument, f"there is no file {shown(path)}", "check the path of the file"
-        )
-    # A name of its own, so that a file called like a module of another library hides nothing.
-    key = f"carom_player_{path.stem}"
-    spec = util.spec_from_file_location(key, path)
-    assert spec is not None
-    assert spec.loader is not None
-    module = util.module_from_spec(spec)
-    sys.modules[key] = module
-    sys.path.insert(0, str(path.resolve().parent))
-    try:
-        spec.loader.exec_module(module)
-    except Exception as error:
-        line = f"{type(error).__name__}: {error}"
-        raise InputError(
-            "syntax",
-            argument,
-            f"{shown(path)} does not run ({line})",
-            f"run python {shown(path)} for its traceback",
-        ) from error
-    return module
