@@ -53,6 +53,7 @@ __all__ = [
     "points",
     "position_map",
     "pot_map",
+    "pots",
     "quantiles",
     "read_json",
     "read_number",
@@ -70,6 +71,7 @@ __all__ = [
     "simulate_variants",
     "solve",
     "stages",
+    "successors",
     "tables",
     "tasks",
     "unknown_word",
@@ -87,7 +89,8 @@ _Strike = tuple[float, float, float | None, float, float]
 # Called with the number of the stage, the items done in it, and the number of its items.
 _Report = Callable[[int, int, int], object]
 
-# A player of a match: the name of a built-in one; or name, class, and the function that begins a frame.
+# A player of a match: the name of a built-in one; or name, class, and the function that begins
+# a frame.
 _Entrant = str | tuple[str, str, Callable[[int, int], Callable[..., Any]]]
 
 @final
@@ -112,6 +115,8 @@ class Frame:
     def answer_schema(self) -> dict[str, Any]: ...
     @property
     def hand_bounds(self) -> tuple[tuple[float, float], tuple[float, float]] | None: ...
+    def legal_calls(self) -> list[tuple[str, str | None, str | None]]: ...
+    def legal_places(self, count: int, seed: int) -> list[list[float]]: ...
     def choose(self, choice: str) -> dict[str, Any]: ...
     def concede(self) -> dict[str, Any]: ...
     def copy(self) -> Frame: ...
@@ -341,6 +346,26 @@ class Player:
     ) -> dict[str, Any]: ...
 
 def players() -> list[str]: ...
+def successors(
+    frame: Frame,
+    play: PlayArguments,
+    noise: Noise,
+    perception: Perception,
+    seed: int,
+    first: int,
+    n: int,
+    threads: int,
+) -> list[tuple[Frame, dict[str, Any], list[float]]]: ...
+def pots(
+    frame: Frame,
+    noise: Noise,
+    perception: Perception,
+    seed: int,
+    cue_ball: Sequence[float] | None,
+    each: int,
+    n: int,
+    threads: int,
+) -> list[dict[str, Any]]: ...
 def play_match(
     players: Sequence[_Entrant],
     agreed: object,

@@ -32,6 +32,7 @@ pub mod referee;
 pub mod route;
 pub mod sampler;
 pub mod solve;
+mod successors;
 pub mod sweep;
 
 pub use carom_rules::Prepared;
@@ -48,6 +49,7 @@ pub use referee::Referee;
 pub use route::{Leg, Route};
 pub use sampler::Sampler;
 pub use solve::{Search, Solution, Stage, solve};
+pub use successors::{Successor, successors};
 
 /// The examples of the documentation's page on Rust. They are tested with this crate because it
 /// depends on both the engine and the games.

@@ -17,6 +17,7 @@ mod reference;
 mod rolling;
 mod rules;
 mod shot;
+mod successors;
 mod sweep;
 mod trace;
 
@@ -57,6 +58,8 @@ mod _core {
     use crate::rules::{Frame, check_record};
     #[pymodule_export]
     use crate::shot::{Shot, check_part};
+    #[pymodule_export]
+    use crate::successors::{pots, successors};
     #[pymodule_export]
     use crate::sweep::{
         check_keys, dated_value, play_rows, points, quantiles, read_json, read_number, read_whole,

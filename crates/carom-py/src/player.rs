@@ -7,13 +7,13 @@ use carom::runner::Runner;
 use carom_arena::{BuiltInPlayer, ThinkingTime};
 use carom_mind::{Analysis, Answer, Budget, Decision, Recommendation, Situation, Spent};
 use carom_plan::Moments;
-use carom_rules::{Call, Frame as Game, Play};
+use carom_rules::{Frame as Game, Play};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
 use crate::options::{NoiseOptions, PerceptionOptions, count, numbers_of};
 use crate::progress::{self, Interrupt};
-use crate::rules::Frame;
+use crate::rules::{CallFields, Frame, call_fields};
 
 /// `carom.player.thinking.Thinking`, read by attribute.
 #[derive(FromPyObject)]
@@ -44,18 +44,12 @@ impl ThinkingOptions {
 pub(crate) struct PlayFields {
     strike: [f64; 5],
     cue_ball: Option<[f64; 2]>,
-    call: (&'static str, Option<String>, Option<&'static str>),
+    call: CallFields,
 }
 
 impl PlayFields {
     pub(crate) fn new(frame: &Game, play: &Play) -> Self {
-        let call = match play.call {
-            Call::Nothing => ("nothing", None, None),
-            Call::Safety => ("safety", None, None),
-            Call::PushOut => ("push-out", None, None),
-            Call::On(ball) => ("on", Some(id(frame, ball)), None),
-            Call::Pocket(ball, pocket) => ("pocket", Some(id(frame, ball)), Some(pocket.name())),
-        };
+        let call = call_fields(frame, play.call);
         Self { call, ..Self::uncalled(play) }
     }
 
@@ -67,7 +61,7 @@ impl PlayFields {
     }
 }
 
-fn id(frame: &Game, ball: carom_rules::BallIndex) -> String {
+pub(crate) fn id(frame: &Game, ball: carom_rules::BallIndex) -> String {
     frame.layout().balls()[usize::from(ball)].id.clone()
 }
 

@@ -6,7 +6,7 @@ use carom::Error;
 use carom::format::Node;
 use carom::shot::{Cling, StrikePolicy};
 use carom_mind::Answer;
-use carom_rules::{Choice, ErrorSeeds, Game, Options, Play, Ruling};
+use carom_rules::{BallIndex, Call, Choice, ErrorSeeds, Game, Options, Play, Ruling};
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
 
@@ -47,6 +47,20 @@ impl From<SeedArguments> for ErrorSeeds {
             SeedArguments::Frame(seed) => Self::Frame(seed),
             SeedArguments::Seats(seeds) => Self::Seats(seeds),
         }
+    }
+}
+
+/// Kind, ball and pocket of a call.
+pub(crate) type CallFields = (&'static str, Option<String>, Option<&'static str>);
+
+pub(crate) fn call_fields(frame: &carom_rules::Frame, call: Call) -> CallFields {
+    let id = |ball: BallIndex| Some(frame.layout().balls()[usize::from(ball)].id.clone());
+    match call {
+        Call::Nothing => ("nothing", None, None),
+        Call::Safety => ("safety", None, None),
+        Call::PushOut => ("push-out", None, None),
+        Call::On(ball) => ("on", id(ball), None),
+        Call::Pocket(ball, pocket) => ("pocket", id(ball), Some(pocket.name())),
     }
 }
 
@@ -130,7 +144,8 @@ impl Frame {
         self.with(|frame| frame.clone())
     }
 
-    fn play_of(&self, py: Python<'_>, arguments: PlayArguments) -> PyResult<Play> {
+    /// The play of `arguments` in this frame.
+    pub(crate) fn play_of(&self, py: Python<'_>, arguments: PlayArguments) -> PyResult<Play> {
         let cling = match &arguments.cling {
             Some(cling) => Some(from_python(cling.bind(py))?),
             None => None,
@@ -227,6 +242,18 @@ impl Frame {
     /// The JSON Schema of an answer to the request.
     fn answer_schema<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
         to_python(py, &self.get().answer_schema())
+    }
+
+    /// The calls that the frame allows: kind, ball, pocket.
+    fn legal_calls(&self) -> Vec<CallFields> {
+        let frame = self.get();
+        frame.legal_calls().into_iter().map(|call| call_fields(&frame, call)).collect()
+    }
+
+    /// At most `count` places at which the cue ball in hand may stand, m.
+    fn legal_places(&self, py: Python<'_>, count: usize, seed: u64) -> Vec<[f64; 2]> {
+        let frame = self.get();
+        py.detach(|| frame.legal_places(count, seed))
     }
 
     /// Lower left and upper right corner of the box in which the cue ball may be placed, m.

@@ -37,7 +37,7 @@
 //!          Plays that promise more than one of the list get fresh samples too                      (listing)
 //! ```
 //!
-//! [`ShotSearch`] has a method for each step. The methods of `Explorer` that find candidates get their budget as an
+//! [`PotList`] lists the pots of a position alone. [`ShotSearch`] has a method for each step. The methods of `Explorer` that find candidates get their budget as an
 //! argument. [`Candidate`] is a play with what is known about it. [`Racks`] and [`BreakSearch`] compare breaks over
 //! many racks.
 
@@ -51,6 +51,7 @@ mod hand;
 mod listing;
 mod naming;
 mod openings;
+mod pot_list;
 mod pots;
 mod race;
 mod racks;
@@ -67,6 +68,7 @@ mod windows;
 pub use break_search::BreakSearch;
 pub use candidate::{Candidate, PlayKind, PlayedLeg, PlayedVariant};
 pub(crate) use explore::{CuePlace, Explorer, cue_places, raised};
+pub use pot_list::{PotList, PotPlay};
 pub use racks::Racks;
 pub(crate) use rounds::Found;
 pub use rounds::{Rounds, ShotSearch};

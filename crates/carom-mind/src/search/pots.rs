@@ -83,8 +83,15 @@ impl KnownLine {
 }
 
 impl Explorer<'_> {
-    /// The lines of a prepared position, the most probable first.
+    /// The lines of a prepared position that a search tries, the most probable first.
     pub(crate) fn lines(&self, at: CuePlace<'_>) -> Vec<KnownLine> {
+        let mut lines = self.all_lines(at);
+        lines.truncate(MOST_LINES);
+        lines
+    }
+
+    /// All lines of a prepared position that are probable enough, the most probable first.
+    pub(crate) fn all_lines(&self, at: CuePlace<'_>) -> Vec<KnownLine> {
         let CuePlace { number: place, prepared } = at;
         let scene = Scene::of(prepared);
         let mut lines = Vec::new();
@@ -107,7 +114,6 @@ impl Explorer<'_> {
         let share = if self.is_list { 0.0 } else { LEAST_SHARE };
         rated.retain(|known| known.chance > LEAST_CHANCE.max(share * best));
         rated.sort_by(|a, b| b.chance.total_cmp(&a.chance));
-        rated.truncate(MOST_LINES);
         rated
     }
 
@@ -140,6 +146,18 @@ impl Explorer<'_> {
             }
         }
         Ok(())
+    }
+
+    /// Adds the strikes of the coarse lattice that pot a ball, on every line.
+    ///
+    /// # Errors
+    /// As [`Explorer::ruled`].
+    pub(crate) fn coarse_lattices(
+        &mut self,
+        prepared: &Prepared<'_>,
+        lines: &mut [KnownLine],
+    ) -> Result<(), Error> {
+        lines.iter_mut().try_for_each(|known| self.coarse_pots(prepared, known, COARSE, u64::MAX))
     }
 
     /// Goes on with the coarse lattices for which earlier rounds had no simulations left.

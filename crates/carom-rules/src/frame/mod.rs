@@ -1,6 +1,7 @@
 //! A game in progress.
 
 mod hash;
+mod legal;
 mod play;
 mod prepared;
 mod resume;
