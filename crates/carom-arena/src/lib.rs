@@ -54,6 +54,8 @@ mod match_player;
 mod moves;
 mod open_match;
 mod pair;
+#[cfg(all(feature = "programs", target_os = "linux"))]
+mod program;
 mod protocol;
 mod record;
 mod replay;
@@ -74,6 +76,11 @@ pub use match_player::{MatchPlayer, Response};
 pub use moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
 pub use open_match::{MatchReport, OpenMatch};
 pub use pair::{MatchPlan, PlayedPair, play_frame, play_pair};
+#[cfg(all(feature = "programs", target_os = "linux"))]
+pub use program::{
+    Confinement, ErrorLog, MOST_PENDING_LINES, ProgramChannel, ProgramCommand, ProgramLimits,
+    ProgramOrder, StopCheck, SupervisorCommand, supervise,
+};
 pub use protocol::{
     ChannelFault, Greeting, LONGEST_LINE, LineChannel, PROTOCOL, ProtocolPlayer, ProtocolSettings,
 };

@@ -10,7 +10,7 @@ use crate::clock::Clock;
 use crate::secret::PairSeeds;
 
 /// Longest name of a player, characters. Names stand in tables.
-const LONGEST_NAME: usize = 80;
+pub(crate) const LONGEST_NAME: usize = 80;
 
 /// A player of the match, 0 or 1. Not a seat: the players exchange the seats within a pair.
 pub type PlayerIndex = usize;

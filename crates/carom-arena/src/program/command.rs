@@ -1,0 +1,190 @@
+//! The command line of a program, `exec:COMMAND ARGUMENTS`.
+
+use std::env;
+use std::fs::{self, File};
+use std::io::{self, Read};
+use std::os::unix::fs::PermissionsExt;
+use std::path::{Path, PathBuf};
+
+use carom::format::Node;
+use carom::{Error, ErrorKind};
+
+use sha2::{Digest, Sha256};
+
+use super::confinement::Confinement;
+use crate::secret::hex;
+use crate::settings::{LONGEST_NAME, PlayerEntry};
+
+/// A program with its arguments, as a player's name gives it.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct ProgramCommand {
+    text: String,
+    /// The words as they were written.
+    written: Vec<String>,
+    /// The words with full paths.
+    words: Vec<String>,
+}
+
+impl ProgramCommand {
+    /// What a player's name begins with if it is a program.
+    pub const PREFIX: &str = "exec:";
+
+    /// Reads a player's name: words as a shell separates them, with its quotes, but without variables
+    /// and patterns. The program is looked up in `PATH`. It will run in a folder of its own, so a word
+    /// with a dot or a slash that names a file or folder here gets its full path.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `player` for a name without the prefix, for a quote without an end, and for a
+    /// program that does not exist or may not be run.
+    pub fn read(name: &str) -> Result<Self, Error> {
+        let refuse = |kind: ErrorKind, what: String, remedy: &str| kind.at("player", what, remedy);
+        let example = "write a command, as in \"exec:python3 mine.py\"";
+        let Some(text) = name.strip_prefix(Self::PREFIX) else {
+            return Err(refuse(ErrorKind::Syntax, format!("\"{name}\" is not a program"), example));
+        };
+        let Some(written) = shlex::split(text) else {
+            let what = format!("a quote in \"{text}\" has no end");
+            return Err(refuse(ErrorKind::Syntax, what, "close it, or write \\ before it"));
+        };
+        let Some((program, arguments)) = written.split_first() else {
+            return Err(refuse(ErrorKind::Missing, "the command is empty".into(), example));
+        };
+        let Some(found) = find_program(program) else {
+            let what = format!("there is no program \"{program}\"");
+            let remedy = "write its path, and make it executable (chmod +x)";
+            return Err(refuse(ErrorKind::Missing, what, remedy));
+        };
+        let mut words = vec![found.display().to_string()];
+        words.extend(arguments.iter().map(|word| full_path(word)));
+        Ok(Self { text: text.trim().into(), written, words })
+    }
+
+    /// The program and its arguments, with full paths.
+    pub fn words(&self) -> &[String] {
+        &self.words
+    }
+
+    /// The program as a match has it. The settings have its words, the hashes of the files among them,
+    /// and what is enforced.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `player` for a file that cannot be read.
+    pub fn entry(&self, confinement: Confinement) -> Result<PlayerEntry, Error> {
+        let mut files = Node::object([]);
+        for (written, word) in self.written.iter().zip(&self.words) {
+            if Path::new(word).is_absolute() && Path::new(word).is_file() {
+                let hash = hash(Path::new(word)).map_err(|error| {
+                    let what = format!("\"{written}\" cannot be read ({error})");
+                    ErrorKind::Syntax.at("player", what, "check the rights of the file")
+                })?;
+                files.set(written, hash);
+            }
+        }
+        let settings = Node::object([
+            ("program", Node::list(&self.written)),
+            ("sha256", files),
+            ("enforced", Node::list(confinement.enforced().iter().copied())),
+        ]);
+        let name = format!("{}{}", Self::PREFIX, self.text);
+        Ok(PlayerEntry { name: shortened(&name), settings })
+    }
+}
+
+/// A name that is too long loses its middle: the program stands at the start, and what
+/// distinguishes two calls of it often at the end.
+fn shortened(name: &str) -> String {
+    let letters: Vec<char> = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
+    if letters.len() <= LONGEST_NAME {
+        return letters.into_iter().collect();
+    }
+    let half = (LONGEST_NAME - 1) / 2;
+    let (start, end) = (&letters[..half], &letters[letters.len() - half..]);
+    start.iter().chain(&['…']).chain(end).collect()
+}
+
+/// The file of a program, as a shell finds it.
+fn find_program(word: &str) -> Option<PathBuf> {
+    let is_program = |path: &PathBuf| {
+        fs::metadata(path)
+            .is_ok_and(|found| found.is_file() && found.permissions().mode() & 0o111 != 0)
+    };
+    if word.contains('/') {
+        return std::path::absolute(word).ok().filter(is_program);
+    }
+    let folders = env::var_os("PATH").unwrap_or_default();
+    let mut found = env::split_paths(&folders).map(|folder| folder.join(word));
+    found.find_map(|path| std::path::absolute(path).ok().filter(is_program))
+}
+
+/// The full path of a word that names a file or folder here.
+fn full_path(word: &str) -> String {
+    let path = Path::new(word);
+    if word.contains(['.', '/']) && path.exists() {
+        return std::path::absolute(path).map_or_else(|_| word.into(), |p| p.display().to_string());
+    }
+    word.into()
+}
+
+/// SHA-256 of a file, as 64 hexadecimal digits.
+fn hash(path: &Path) -> io::Result<String> {
+    let mut file = File::open(path)?;
+    let (mut hash, mut block) = (Sha256::new(), vec![0; 1 << 16]);
+    loop {
+        match file.read(&mut block)? {
+            0 => return Ok(hex(&hash.finalize())),
+            count => hash.update(&block[..count]),
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn refusal(name: &str) -> String {
+        ProgramCommand::read(name).unwrap_err().to_string()
+    }
+
+    #[test]
+    fn words_are_separated_as_a_shell_does() {
+        let command = ProgramCommand::read("exec: sh -c 'echo \"a b\"' x\\ y $HOME * ").unwrap();
+        assert!(command.words[0].ends_with("/sh"), "{:?}", command.words);
+        assert_eq!(command.words[1..], ["-c", "echo \"a b\"", "x y", "$HOME", "*"]);
+    }
+
+    #[test]
+    fn rejects_a_command_that_cannot_run() {
+        for (name, what) in [
+            ("sh", "\"sh\" is not a program"),
+            ("exec:", "the command is empty"),
+            ("exec:sh 'a", "has no end"),
+            ("exec:no-such-program", "there is no program"),
+            ("exec:/etc/passwd", "there is no program"),
+            ("exec:/", "there is no program"),
+        ] {
+            let error = refusal(name);
+            assert!(error.starts_with("player: ") && error.contains(what), "{error}");
+        }
+    }
+
+    #[test]
+    fn files_get_full_paths_and_hashes() {
+        let command = ProgramCommand::read("exec:sh Cargo.toml src ./src").unwrap();
+        let here = env::current_dir().unwrap();
+        let full = |name: &str| here.join(name).display().to_string();
+        assert_eq!(command.words[1..], [full("Cargo.toml"), "src".into(), full("src")]);
+        let entry = command.entry(Confinement::Plain).unwrap();
+        assert_eq!(entry.name, "exec:sh Cargo.toml src ./src");
+        let hashes = entry.settings.get("sha256").unwrap();
+        let expected = crate::secret::sha256(&fs::read("Cargo.toml").unwrap());
+        assert_eq!(hashes.get("Cargo.toml"), Some(&Node::from(expected)));
+        assert!(hashes.get("sh").is_some() && hashes.get("./src").is_none());
+    }
+
+    #[test]
+    fn a_long_name_keeps_its_start_and_its_end() {
+        let name = shortened(&format!("exec:{}7", "x".repeat(200)));
+        assert!(name.starts_with("exec:x") && name.ends_with("x7"));
+        assert!(name.chars().count() <= LONGEST_NAME, "{name}");
+    }
+}
