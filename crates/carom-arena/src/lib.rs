@@ -46,6 +46,7 @@
 
 mod arena_frame;
 mod built_in;
+mod check;
 mod clock;
 mod error;
 mod hold;
@@ -69,6 +70,7 @@ mod tournament;
 
 pub use arena_frame::{ArenaFrame, Ask, LastShot, NextStep, REFUSALS};
 pub use built_in::{BuiltInPlayer, MOST_PLANNED};
+pub use check::{CheckSettings, Verdict, check, check_situations};
 pub use clock::{Clock, ClockPeriod, ClockUnit, Cost, expected_shots};
 pub use error::ArenaError;
 pub use ledger::RECORD;
@@ -82,7 +84,8 @@ pub use program::{
     ProgramOrder, StopCheck, SupervisorCommand, supervise,
 };
 pub use protocol::{
-    ChannelFault, Greeting, LONGEST_LINE, LineChannel, PROTOCOL, ProtocolPlayer, ProtocolSettings,
+    ARENA_SCHEMA, ChannelFault, Greeting, LONGEST_LINE, LineChannel, PROTOCOL, ProtocolPlayer,
+    ProtocolSettings,
 };
 pub use record::{MATCH_FORMAT, MatchHeader};
 pub use replay::{RecordDifference, Replay, positions, replay};

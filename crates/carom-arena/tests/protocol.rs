@@ -75,7 +75,11 @@ fn speaking(
     let sent = Arc::new(Mutex::new(Vec::new()));
     let channel =
         Memory { program: Box::new(program), written: VecDeque::new(), sent: Arc::clone(&sent) };
-    (ProtocolPlayer::new(channel, ProtocolSettings { menu }).unwrap(), sent)
+    (
+        ProtocolPlayer::new(channel, ProtocolSettings { menu, ..ProtocolSettings::default() })
+            .unwrap(),
+        sent,
+    )
 }
 
 /// Any player of a test's match.
@@ -489,7 +493,10 @@ fn a_pick_plays_the_item_of_the_menu() {
     assert_eq!(azimuth, Some(&Node::Number(play.strike.azimuth)));
     // The search for the plays of the menu is off the clock.
     assert!(frame.moves()[1].cost.seconds < 0.01, "{:?}", frame.moves()[1].cost);
-    let error = ProtocolSettings { menu: 21 }.check().unwrap_err().to_string();
+    let error = ProtocolSettings { menu: 21, ..ProtocolSettings::default() }
+        .check()
+        .unwrap_err()
+        .to_string();
     assert!(error.starts_with("menu: 21"), "{error}");
 }
 

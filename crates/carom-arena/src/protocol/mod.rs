@@ -16,3 +16,7 @@ mod text;
 pub use channel::{ChannelFault, LONGEST_LINE, LineChannel};
 pub use greeting::{Greeting, PROTOCOL};
 pub use player::{ProtocolPlayer, ProtocolSettings};
+pub(crate) use plays::play_node;
+
+/// The JSON Schema of the messages, `carom-arena/1`.
+pub const ARENA_SCHEMA: &str = include_str!("../../schemas/carom-arena-1.json");

@@ -3,7 +3,7 @@
 use std::time::{Duration, Instant};
 
 use carom::error::InputError;
-use carom::format::Reader;
+use carom::format::{Node, Reader};
 use carom_mind::{Budget, Spent};
 
 use super::channel::{ChannelFault, LONGEST_LINE, LineChannel};
@@ -32,6 +32,9 @@ const GOODBYE: Duration = Duration::from_millis(200);
 pub struct ProtocolSettings {
     /// The largest number of plays in the menu of a request; 0 for requests without a menu.
     pub menu: u32,
+    /// Whether messages have a key, and a message comes before each request, that the protocol does not
+    /// have, as those of a later version may. For checks of programs.
+    pub unknown: bool,
 }
 
 impl ProtocolSettings {
@@ -53,6 +56,8 @@ impl ProtocolSettings {
 pub struct ProtocolPlayer<L: LineChannel> {
     channel: L,
     menu: Menu,
+    /// As in the settings.
+    unknown: bool,
     /// Its `hello`; none before the first request.
     greeting: Option<Greeting>,
     /// The frame for which it is ready.
@@ -89,6 +94,7 @@ impl<L: LineChannel> ProtocolPlayer<L> {
         Ok(Self {
             channel,
             menu: Menu::new(settings.menu),
+            unknown: settings.unknown,
             greeting: None,
             frame: None,
             id: 0,
@@ -124,9 +130,11 @@ impl<L: LineChannel> ProtocolPlayer<L> {
             }
         };
         self.refused = self.id;
-        let begin = Instant::now();
-        let deadline = begin + longest(ask);
-        self.channel.send(&line.to_json_line(), Some(deadline))?;
+        let deadline = Instant::now() + longest(ask);
+        if self.unknown {
+            self.write(Node::object([("type", "news".into())]), deadline)?;
+        }
+        self.write(line, deadline)?;
         let sent = Instant::now();
         let received = self.channel.receive(Some(deadline));
         self.seconds = sent.elapsed().as_secs_f64();
@@ -148,6 +156,14 @@ impl<L: LineChannel> ProtocolPlayer<L> {
         Ok(Response::Unread(reply::fault_of(refusal.fault), Spent::default()))
     }
 
+    /// Writes a message.
+    fn write(&mut self, mut message: Node, deadline: Instant) -> Result<(), ChannelFault> {
+        if self.unknown {
+            message.set("key_of_a_later_version", Node::list([1.0]));
+        }
+        self.channel.send(&message.to_json_line(), Some(deadline))
+    }
+
     fn wishes(&self) -> greeting::Wishes {
         self.greeting.as_ref().map_or_else(Default::default, |greeting| greeting.wishes)
     }
@@ -159,13 +175,13 @@ impl<L: LineChannel> ProtocolPlayer<L> {
         }
         let deadline = Instant::now() + START;
         if self.greeting.is_none() {
-            self.channel.send(&messages::hello().to_json_line(), Some(deadline))?;
+            self.write(messages::hello(), deadline)?;
             let game = ask.of.settings().game;
             let greeting = self.expect(deadline, |message| greeting::read(message, game))?;
             self.greeting = Some(greeting);
         }
         let message = messages::match_message(ask, &self.menu);
-        self.channel.send(&message.to_json_line(), Some(deadline))?;
+        self.write(message, deadline)?;
         self.expect(deadline, |message| greeting::expect(message, "ready"))?;
         self.frame = Some(ask.frame_number);
         Ok(())
@@ -199,8 +215,7 @@ impl<L: LineChannel> ProtocolPlayer<L> {
                 let why = format!("the program was not ready: {place}: {what}");
                 return Err(Broken::Lost(EndReason::Stall, why));
             }
-            let refused = messages::refused(None, &fault).to_json_line();
-            self.channel.send(&refused, Some(deadline))?;
+            self.write(messages::refused(None, &fault), deadline)?;
         }
     }
 }
@@ -248,7 +263,7 @@ impl<L: LineChannel> MatchPlayer for ProtocolPlayer<L> {
         }
         if let Some(over) = messages::over(frame) {
             let deadline = Instant::now() + GOODBYE;
-            self.has_failed = self.channel.send(&over.to_json_line(), Some(deadline)).is_err();
+            self.has_failed = self.write(over, deadline).is_err();
         }
     }
 }
@@ -263,7 +278,7 @@ impl<L: LineChannel> Drop for ProtocolPlayer<L> {
         if self.greeting.is_some() && !self.has_failed {
             let deadline = Instant::now() + GOODBYE;
             // The program ends with its channel, whether it reads this or not.
-            let _ = self.channel.send(&messages::bye().to_json_line(), Some(deadline));
+            let _ = self.write(messages::bye(), deadline);
         }
     }
 }

@@ -6,7 +6,7 @@ use carom_rules::{BallIndex, Call, Frame, Play};
 use crate::record::{place, strike};
 
 /// A play as a program may answer it.
-pub(super) fn play_node(frame: &Frame, play: &Play) -> Node {
+pub(crate) fn play_node(frame: &Frame, play: &Play) -> Node {
     let mut node = Node::object([("strike", strike(&play.strike))]);
     if let Some(at) = play.cue_ball {
         node.set("cue_ball", place(at));
