@@ -55,13 +55,17 @@ from carom.player import (
     Leave,
     Play,
     Player,
+    PotPlay,
     Recommendation,
     Situation,
+    Successor,
     players,
+    pots,
+    successors,
 )
 from carom.racks import break_presets, break_shot
 from carom.reference import game_facts, physics, rule_sets, schema, tables
-from carom.rules import Frame, Ruling
+from carom.rules import Frame, LegalAnswers, Ruling
 from carom.shot import Shot
 from carom.trace import Snapshot, Trace
 
@@ -92,6 +96,7 @@ __all__ = [
     "InputError",
     "Layout",
     "Leave",
+    "LegalAnswers",
     "MatchReplay",
     "MatchResult",
     "MovedBall",
@@ -104,6 +109,7 @@ __all__ = [
     "Player",
     "PositionMap",
     "PotMap",
+    "PotPlay",
     "Recommendation",
     "Repaired",
     "Ruling",
@@ -112,6 +118,7 @@ __all__ = [
     "Snapshot",
     "Solution",
     "Strike",
+    "Successor",
     "Sweep",
     "Table",
     "Trace",
@@ -129,12 +136,14 @@ __all__ = [
     "players",
     "position_map",
     "pot_map",
+    "pots",
     "replay_match",
     "rolling_bands",
     "rule_sets",
     "schema",
     "simulate_batch",
     "solve",
+    "successors",
     "sweep",
     "tables",
 ]

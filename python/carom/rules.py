@@ -28,6 +28,9 @@ ENGINE = f"carom {_core.__version__}"
 #: A frame in Rust that a player sees.
 SeenFrame = _core.Frame
 
+# Most places of a cue ball in hand: one for each square millimetre of a table would take a minute.
+_MOST_PLACES = 10**5
+
 # The fields of a strike that are policies, in the order of `PlayArguments.policy`.
 _POLICIES = ("obstruction", "miscue")
 
@@ -63,6 +66,22 @@ class Ruling:
             racked=node["racked"],
             trace=trace,
         )
+
+
+@dataclass(frozen=True, slots=True)
+class LegalAnswers:
+    """The answers that a frame's request allows.
+
+    Attributes:
+        choices: The names of ``request.choices``; empty for a shot.
+        calls: The calls of a shot, of which a play has one; None stands for a play without a call.
+            Empty for a choice.
+        places: Places of a cue ball in hand (x, y in m); None if it is not in hand.
+    """
+
+    choices: tuple[Choice, ...]
+    calls: tuple[Call | None, ...]
+    places: list[tuple[float, float]] | None
 
 
 class Frame:
@@ -408,6 +427,26 @@ class Frame:
         or on another ball, or if the strike is beyond the miscue limit.
         """
         return self._core.answer_schema()
+
+    def legal_answers(self, places: int = 64, seed: int = 0) -> LegalAnswers:
+        """The answers that the request allows; a strike is the player's own.
+
+        Args:
+            places: Largest number of places of a cue ball in hand. They are spread evenly over the
+                region; fewer are found where hardly any place is free.
+            seed: Moves all places.
+        """
+        calls = [
+            None if kind == "nothing" else Call(kind, ball, pocket)
+            for kind, ball, pocket in self._core.legal_calls()
+        ]
+        found = self._core.legal_places(whole("places", places, _MOST_PLACES), whole("seed", seed))
+        request = self.request
+        return LegalAnswers(
+            choices=tuple(request.choices),
+            calls=tuple(calls),
+            places=None if request.in_hand is None else [(x, y) for x, y in found],
+        )
 
     @property
     def state(self) -> GameState:

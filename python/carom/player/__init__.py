@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from carom.player.analysis import Analysis, Leave, Recommendation
 from carom.player.decision import Decision, Play
+from carom.player.drawn import PotPlay, Successor, pots, successors
 from carom.player.player import Player, players
 from carom.player.situation import Situation
 
@@ -13,7 +14,11 @@ __all__ = [
     "Leave",
     "Play",
     "Player",
+    "PotPlay",
     "Recommendation",
     "Situation",
+    "Successor",
     "players",
+    "pots",
+    "successors",
 ]

@@ -127,20 +127,9 @@ class Recommendation:
     @property
     def aim(self) -> str:
         """What is played, in words, such as ``bank: 3 off 1 cushion into top-left``."""
-        if self.ball is None:
+        if self.ball is None or self.pocket is None:
             return f"{self.kind}{self._off_ball()}" if self.kind in _OFF_A_BALL else self.kind
-        pot = f"{self.ball} into {self.pocket}"
-        match self.kind:
-            case "bank":
-                return f"bank: {self.ball} off {_cushions(self.legs[-1][1])} into {self.pocket}"
-            case "kick":
-                return f"kick: off {_cushions(self.legs[0][1])}, {pot}"
-            case "combination":
-                return f"combination: {self.legs[1][0]}, {pot}"
-            case "indirect":
-                return f"indirect: {pot}"
-            case _:
-                return pot
+        return words.pot(self.kind, self.ball, self.pocket, self.legs)
 
     def _off_ball(self) -> str:
         first = self.shot.simulate().outcome.first_contact
@@ -180,10 +169,6 @@ class Recommendation:
 def _chance(counted: tuple[int, int]) -> Chance:
     met, samples = counted
     return Chance.of(met, samples, _LEVEL)
-
-
-def _cushions(count: int) -> str:
-    return f"{count} cushion{'s' * (count != 1)}"
 
 
 _HEADINGS = ("", "win", "turn kept", "foul", "if kept", "if missed", "cue ball left at", "play")

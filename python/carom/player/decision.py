@@ -10,8 +10,12 @@ from carom.arguments import instance
 from carom.batch import VARIABLES
 from carom.build import Strike, like
 from carom.call import Call
+from carom.errors import InputError
+from carom.events import Outcome
 from carom.noise import Noise
+from carom.plan import Solution
 from carom.player import words
+from carom.request import Request
 from carom.rules import Frame, Ruling
 from carom.shot import Shot
 
@@ -42,6 +46,46 @@ class Play:
             call=None if kind == "nothing" else Call(kind, ball, pocket),
         )
 
+    @classmethod
+    def from_solution(cls, solution: Solution, frame: Frame) -> Self:
+        """The play of a solution of ``carom.solve``, with its place of the cue ball and its call.
+
+        Where the frame has calls, the play calls what the solution does without errors: the first
+        ball on that falls, or else the first ball that falls, and its pocket; a safety if none
+        falls; the first ball that is hit, where a ball on is nominated.
+
+        Args:
+            solution: The solution, of a shot with the balls of the frame.
+            frame: The frame that requests the shot.
+
+        Raises:
+            InputError: The frame does not request a shot, or has not the balls of the solution.
+        """
+        request = _frame(frame).request
+        shot = instance("solution", solution, Solution, "one of carom.solve(...)").shot
+        if request.kind != "shot":
+            raise InputError("wrong-state", "frame", "it requests no shot", "answer its request")
+        if request.cue_ball not in shot.ids:
+            raise InputError(
+                "mismatch",
+                "solution",
+                f"its shot has no ball {request.cue_ball!r}",
+                "solve a shot of this frame, such as frame.shot(...)",
+            )
+        balls = {ball["id"]: ball["position"] for ball in shot.to_dict()["balls"]}
+        x, y, *_ = balls[request.cue_ball]
+        return cls(
+            strike=Strike(
+                solution.speed,
+                solution.azimuth,
+                elevation=solution.elevation,
+                side=solution.side,
+                height=solution.height,
+            ),
+            cue_ball=(x, y) if request.in_hand else None,
+            call=_call_of(shot.simulate().outcome, request),
+        )
+
     def shot(self, frame: Frame) -> Shot:
         """The shot that this play gives in ``frame``, ready to simulate.
 
@@ -68,6 +112,16 @@ class Play:
         if self.cue_ball is not None:
             parts.append(f"cue ball at {words.place(self.cue_ball)} m")
         return ", ".join(parts)
+
+
+def _call_of(outcome: Outcome, request: Request) -> Call | None:
+    """The call of a shot with this outcome."""
+    if "on" in request.calls and outcome.first_contact is not None:
+        return Call.on(outcome.first_contact)
+    fallen = [pair for pair in outcome.pocketed if pair[0] != request.cue_ball]
+    if "pocket" in request.calls and fallen:
+        return Call.pocket(*next((pair for pair in fallen if pair[0] in request.on), fallen[0]))
+    return Call.safety() if "safety" in request.calls else None
 
 
 def _call(call: Call) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
@@ -11,6 +11,7 @@ from carom.call import PlayArguments
 from carom.errors import InputError
 from carom.noise import Noise, Perception
 from carom.player.decision import Decision, Play
+from carom.player.drawn import PotPlay, Successor, pots, successors
 from carom.player.player import Player
 from carom.rules import Frame, plain_answer, play_arguments
 
@@ -52,6 +53,41 @@ class Situation:
     perception: Perception = _EXACT
     seed: int = 0
     refused: InputError | None = None
+
+    def pots(
+        self,
+        n: int = 200,
+        *,
+        cue_ball: Sequence[float] | None = None,
+        each: int = 1,
+        threads: int | None = None,
+    ) -> list[PotPlay]:
+        """``carom.pots`` of the frame under the player's own errors."""
+        return pots(
+            self.frame,
+            self.noise,
+            n,
+            self.seed,
+            cue_ball=cue_ball,
+            each=each,
+            perception=self.perception,
+            threads=threads,
+        )
+
+    def successors(
+        self, play: Play, n: int = 100, *, first: int = 0, threads: int | None = None
+    ) -> list[Successor]:
+        """``carom.successors`` of a play under the player's own errors."""
+        return successors(
+            self.frame,
+            play,
+            self.noise,
+            n,
+            self.seed,
+            first=first,
+            perception=self.perception,
+            threads=threads,
+        )
 
 
 class Chooser(Protocol):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from carom._core import TIP
 
@@ -51,3 +52,30 @@ def percent(share: float | None) -> str:
 def place(point: tuple[float, float]) -> str:
     """A point on the table in m, to the centimetre."""
     return f"({point[0]:.2f}, {point[1]:.2f})"
+
+
+def pot(kind: str, ball: str, pocket: str, legs: Sequence[tuple[str, int]]) -> str:
+    """A pot, such as ``bank: 3 off 1 cushion into top-left``.
+
+    Args:
+        kind: Its kind, as ``Recommendation.kind``.
+        ball: The ball that falls.
+        pocket: The pocket.
+        legs: The balls on the way, the cue ball first, each with its number of cushions.
+    """
+    aim = f"{ball} into {pocket}"
+    match kind:
+        case "bank":
+            return f"bank: {ball} off {_cushions(legs[-1][1])} into {pocket}"
+        case "kick":
+            return f"kick: off {_cushions(legs[0][1])}, {aim}"
+        case "combination":
+            return f"combination: {legs[1][0]}, {aim}"
+        case "indirect":
+            return f"indirect: {aim}"
+        case _:
+            return aim
+
+
+def _cushions(count: int) -> str:
+    return f"{count} cushion{'s' * (count != 1)}"

@@ -7,7 +7,7 @@ use super::{Frame, Prepared};
 use crate::play::Call;
 use crate::request::{Request, Turn};
 
-/// Points that are tried for every place that is asked for. On a table with all balls of snooker nine of ten
+/// Points that are tried for every wanted place. On a table with all balls of snooker nine of ten
 /// points are free, and a quarter of the box around the D is outside of it.
 const TRIES: u64 = 50;
 
