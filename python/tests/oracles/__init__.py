@@ -7,9 +7,7 @@ state after a strike (from the trace; `laws.strike` checks it in tests of its ow
 documented rules for slow contacts (the constants at the top of `laws`). The numbers of the physics
 presets are copied in `presets`.
 
-Covered models: all of balls and cushions (`elastic`, `frictional`, `compliant` and `mathavan-2014`;
-`restitution`, `factors`, `han-2005`, `stronge` and `mathavan-2010`) with fits of restitution and
-friction, clings, slate, rolling resistance in bands of speed, and the cue with tip restitution or
+Covered models: all of balls and cushions with fits of restitution and friction, clings, slate, rolling resistance in bands of speed, and the cue with tip restitution or
 efficiency and with squirt. `springs` solves the contact with a tangential spring stretch by
 stretch, and `friction` integrates Mathavan's two models with exact Coulomb friction.
 

@@ -89,8 +89,8 @@ def collide(
 ) -> tuple[Body, Body]:
     """A collision of two balls, on the cloth or in the air.
 
-    `elastic`, `frictional` (Coulomb), `compliant` (Stronge) or `mathavan-2014`; `cloth` is its
-    friction coefficient.
+    `law` is the section `ball_ball` of a shot file, with the friction as an object or a number;
+    `cloth` is the friction coefficient of the cloth, for `mathavan-2014`.
     """
     d = add(b.position, a.position, -1)
     n = scale(d, 1 / fn.sqrt(dot(d, d)))

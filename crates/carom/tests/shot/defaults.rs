@@ -2,7 +2,7 @@
 
 use carom::edition::PHYSICS;
 use carom::format::Node;
-use carom::physics::{RollingFriction, Tip};
+use carom::physics::{BallBallModel, CushionModel, RollingFriction, Tip};
 use carom::{Physics, Shot};
 
 fn read(table: &str, physics: &str, balls: &str) -> Shot {
@@ -54,13 +54,13 @@ fn another_model_keeps_every_value_and_every_whole_fit_of_its_base() {
     for base in PHYSICS.iter().map(|edition| edition.dated) {
         let own = Physics::preset(base).expect("a preset").to_node();
         for (section, models) in [
-            ("cushion", &["restitution", "han-2005", "mathavan-2010", "stronge", "factors"][..]),
-            ("ball_ball", &["frictional", "mathavan-2014", "compliant", "elastic"][..]),
+            ("cushion", CushionModel::ALL.map(CushionModel::name).to_vec()),
+            ("ball_ball", BallBallModel::ALL.map(BallBallModel::name).to_vec()),
         ] {
             for model in models {
                 let mut values = own.get(section).expect("a section").clone();
-                values.set("model", *model);
-                if *model == "elastic" {
+                values.set("model", model);
+                if model == "elastic" {
                     // The exception that docs/formats.md names.
                     values.set("restitution", 1.0);
                 }
