@@ -7,9 +7,10 @@ state after a strike (from the trace; `laws.strike` checks it in tests of its ow
 documented rules for slow contacts (the constants at the top of `laws`). The numbers of the physics
 presets are copied in `presets`.
 
-Covered models: all of balls and cushions with fits of restitution and friction, clings, slate, rolling resistance in bands of speed, and the cue with tip restitution or
-efficiency and with squirt. `springs` solves the contact with a tangential spring stretch by
-stretch, and `friction` integrates Mathavan's two models with exact Coulomb friction.
+Covered models: all of balls and cushions with fits of restitution and friction, clings, slate,
+rolling resistance in bands of speed, and the cue with tip restitution or efficiency and with
+squirt. `springs` solves the contact with a tangential spring stretch by stretch, and `friction`
+integrates Mathavan's two models with exact Coulomb friction.
 
 Not covered: contacts of several bodies at once (`crates/carom-springs` judges those), sharp points,
 the straight edges of pocket mouths, and in `friction` a contact that slips again after it held. On

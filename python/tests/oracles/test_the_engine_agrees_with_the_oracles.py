@@ -42,7 +42,7 @@ ALONE = 1e-8
 UNBOUNDED: JSON = {"cloth": "unbounded"}
 ELASTIC: JSON = {"model": "elastic", "restitution": 0.95}
 REFLECTING: JSON = {"model": "restitution", "restitution": 0.8}
-#: All models of two balls, from the schema of shot files; `mathavan-2014`, an integral, has tests of
+#: All models of two balls, from the schema of shot files; the integral `mathavan-2014` has tests of
 #: its own.
 BALL_MODELS = [
     name
