@@ -75,16 +75,18 @@ def physics() -> list[dict[str, Any]]:
     return _core.physics()
 
 
-def schema(kind: Literal["shot", "trace", "play", "sweep"] = "shot") -> dict[str, Any]:
-    """The JSON Schema of the shot file, of the trace, of a frame's play, or of a sweep's spec.
+def schema(
+    kind: Literal["shot", "trace", "play", "sweep", "tournament"] = "shot",
+) -> dict[str, Any]:
+    """The JSON Schema of a shot file, a trace, a play, a sweep's spec, or a tournament's file.
 
     ``Frame.answer_schema`` gives that of the answers to a frame's present request.
 
     Raises:
         InputError: There is no schema of that name.
     """
-    if checked("kind", kind, '"shot"') == "sweep":
-        path = Path(__file__).with_name("data") / "carom-sweep-1.json"
+    if checked("kind", kind, '"shot"') in ("sweep", "tournament"):
+        path = Path(__file__).with_name("data") / f"carom-{kind}-1.json"
         text = path.read_text(encoding="utf-8")
     elif kind in ("shot", "trace", "play"):
         text = _core.schema(kind)
@@ -93,7 +95,7 @@ def schema(kind: Literal["shot", "trace", "play", "sweep"] = "shot") -> dict[str
             "unknown-name",
             "kind",
             f'there is no schema "{kind}"',
-            'write "shot", "trace", "play" or "sweep"',
+            'write "shot", "trace", "play", "sweep" or "tournament"',
         )
     result: dict[str, Any] = json.loads(text)
     return result

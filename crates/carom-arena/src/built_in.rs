@@ -1,6 +1,7 @@
 //! The built-in players by their names, for the command line and the bindings.
 
-use std::sync::LazyLock;
+use std::collections::BTreeMap;
+use std::sync::{LazyLock, Mutex, PoisonError};
 
 use carom::format::{Node, Reader};
 use carom::{Error, ErrorKind, Noise};
@@ -8,6 +9,7 @@ use carom_mind::literature::{self, Literature};
 use carom_mind::{Budget, LEVELS, Level, Player, Searcher};
 
 use crate::clock::Clock;
+use crate::decisions::decision_hash;
 use crate::settings::PlayerEntry;
 
 /// The name of the searching player.
@@ -142,24 +144,53 @@ impl BuiltInPlayer {
         self.name == SEARCHER || self.level().is_some()
     }
 
-    /// The player as a match has it. Its name is the text that was read.
+    /// The player as a match has it. Its name is the text that was read; its settings have a hash of its
+    /// decisions, so that a changed player is noticed.
     pub fn entry(&self) -> PlayerEntry {
-        let mut name: String = self.name.into();
         let mut settings = Node::object([("player", self.name.into())]);
-        if let Node::Object(fields) = &self.settings
-            && !fields.is_empty()
-        {
-            let texts = fields.iter().map(|(key, value)| match value {
-                Node::Text(text) => format!("{key}={text}"),
-                value => format!("{key}={}", value.to_json_line()),
-            });
-            name = format!("{name}[{}]", texts.collect::<Vec<_>>().join(","));
+        if self.has_settings() {
             settings.set("settings", self.settings.clone());
         }
-        if let Some(simulations) = self.simulations {
-            name = format!("{name}:{simulations}");
+        settings.set("decisions", self.decisions());
+        PlayerEntry { name: self.text(), settings }
+    }
+
+    /// The text that was read, without blanks.
+    pub fn text(&self) -> String {
+        let name = self.name_with_settings();
+        match self.simulations {
+            Some(simulations) => format!("{name}:{simulations}"),
+            None => name,
         }
-        PlayerEntry { name, settings }
+    }
+
+    fn name_with_settings(&self) -> String {
+        let Node::Object(fields) = &self.settings else { return self.name.into() };
+        if fields.is_empty() {
+            return self.name.into();
+        }
+        let texts = fields.iter().map(|(key, value)| match value {
+            Node::Text(text) => format!("{key}={text}"),
+            value => format!("{key}={}", value.to_json_line()),
+        });
+        format!("{}[{}]", self.name, texts.collect::<Vec<_>>().join(","))
+    }
+
+    fn has_settings(&self) -> bool {
+        matches!(&self.settings, Node::Object(fields) if !fields.is_empty())
+    }
+
+    /// A short hash of the player's decisions on fixed positions. It takes some milliseconds, once
+    /// in a program.
+    fn decisions(&self) -> String {
+        static KNOWN: Mutex<BTreeMap<String, String>> = Mutex::new(BTreeMap::new());
+        // A panic of another player leaves the map complete.
+        let mut known = KNOWN.lock().unwrap_or_else(PoisonError::into_inner);
+        let hash = known.entry(self.name_with_settings()).or_insert_with(|| match self.make() {
+            Ok(mut player) => decision_hash(player.as_mut()),
+            Err(error) => error.to_string(),
+        });
+        hash.clone()
     }
 
     fn reader(&self) -> Reader<'_> {
@@ -208,6 +239,7 @@ fn read_simulations(text: &str) -> Result<u32, Error> {
 mod tests {
     use super::{BuiltInPlayer, Level, MOST_PLANNED};
     use crate::clock::Clock;
+    use carom::format::Node;
     use carom_mind::Budget;
 
     #[test]
@@ -278,6 +310,23 @@ mod tests {
             let error = BuiltInPlayer::read(text).unwrap_err().to_string();
             assert!(error.starts_with(place), "{text}: {error}");
         }
+    }
+
+    #[test]
+    fn the_hash_of_the_decisions_is_that_of_the_player() {
+        let hash = |text: &str| {
+            let settings = BuiltInPlayer::read(text).unwrap().entry().settings;
+            let Some(Node::Text(hash)) = settings.get("decisions") else { panic!("{settings:?}") };
+            hash.clone()
+        };
+        let searcher = hash("carom");
+        assert_eq!(searcher.len(), 16);
+        assert!(searcher.bytes().all(|digit| digit.is_ascii_hexdigit()), "{searcher}");
+        assert_eq!(hash("carom:2000"), searcher, "the number belongs to the clock");
+        let others = ["greedy", "pick-pocket", "carom[value=markov]", "carom[common-errors=false]"];
+        let hashes: std::collections::BTreeSet<String> =
+            others.into_iter().chain(["carom"]).map(hash).collect();
+        assert_eq!(hashes.len(), 5, "{hashes:?}");
     }
 
     #[test]

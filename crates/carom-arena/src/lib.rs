@@ -48,6 +48,7 @@ mod arena_frame;
 mod built_in;
 mod check;
 mod clock;
+mod decisions;
 mod error;
 mod hold;
 mod ledger;

@@ -131,7 +131,7 @@ impl Opponent {
     /// The opponent's name, with the settings and the number of a built-in player.
     pub fn name(&self) -> String {
         match self {
-            Self::Player(player) => player.entry().name,
+            Self::Player(player) => player.text(),
             Self::Outside(Outside::Policy) => "a policy of your own".into(),
             Self::Outside(Outside::Player) => "a player of your own".into(),
             simple => simple.stem().into(),

@@ -8,8 +8,8 @@ use std::sync::{Mutex, PoisonError};
 use carom::format::Node;
 use carom::runner::Runner;
 use carom_arena::{
-    ArenaError, Hypothesis, MatchPlan, MatchReport, MatchScore, PairScores, PlayedPair, Replay,
-    Secret, TestState, elo_of_share,
+    ArenaError, BuiltInPlayer, Hypothesis, MatchPlan, MatchReport, MatchScore, PairScores,
+    PlayedPair, PlayerEntry, Replay, Secret, SequentialTest, TestState, elo_of_share,
 };
 use carom_plan::{Interval, Progress, check_level};
 use carom_rules::FrameSimulator;
@@ -64,7 +64,7 @@ impl ScoreFields {
 
 /// The state of a sequential test; a dict in Python.
 #[derive(IntoPyObject)]
-struct TestFields {
+pub(crate) struct TestFields {
     llr: f64,
     lower: f64,
     upper: f64,
@@ -310,6 +310,29 @@ pub(crate) fn replay_match<'py>(
         other_engine,
         score: ScoreFields::new(&found.score, level),
     })
+}
+
+/// A built-in player as the header of a record has it.
+#[pyfunction]
+pub(crate) fn player_entry<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+    let player = BuiltInPlayer::read(name).map_err(|error| to_exception(py, &error))?;
+    let PlayerEntry { name, settings } = player.entry();
+    to_python(py, &Node::object([("name", name.into()), ("settings", settings)]))
+}
+
+/// The state of a sequential test, from the numbers of pairs with 0, ½, 1, 1½ and 2 points.
+#[pyfunction]
+pub(crate) fn test_state(
+    py: Python<'_>,
+    counts: [u64; 5],
+    p0: f64,
+    p1: f64,
+    alpha: f64,
+    beta: f64,
+) -> PyResult<TestFields> {
+    let test = SequentialTest { p0, p1, alpha, beta };
+    test.check().map_err(|error| to_exception(py, &error))?;
+    Ok(test.state(&PairScores { counts }).into())
 }
 
 /// The interval of the share of the points, from the numbers of pairs with 0, ½, 1, 1½ and 2 points.

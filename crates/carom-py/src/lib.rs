@@ -29,7 +29,9 @@ mod _core {
     use pyo3::prelude::*;
 
     #[pymodule_export]
-    use crate::arena::{OpenMatch, pair_interval, play_match, play_pair, replay_match};
+    use crate::arena::{
+        OpenMatch, pair_interval, play_match, play_pair, player_entry, replay_match, test_state,
+    };
     #[pymodule_export]
     use crate::batch::{
         check_noise, check_perception, draw_strikes, noise_moments, noise_presets, olympiad, see,

@@ -1,4 +1,4 @@
-"""Matches between players."""
+"""Matches between players, and tournaments."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ from carom.arena.pair import OpenMatch, PlayedPair, play_pair
 from carom.arena.plan import MatchPlan
 from carom.arena.replay import MatchReplay, replay_match
 from carom.arena.result import MatchResult, TestResult
+from carom.arena.tournament import Tournament
+from carom.arena.tournament_result import Standing, Standings, TestOfChange, TournamentResult
 
 __all__ = [
     "MatchPlan",
@@ -14,7 +16,12 @@ __all__ = [
     "MatchResult",
     "OpenMatch",
     "PlayedPair",
+    "Standing",
+    "Standings",
+    "TestOfChange",
     "TestResult",
+    "Tournament",
+    "TournamentResult",
     "play_match",
     "play_pair",
     "replay_match",

@@ -53,12 +53,15 @@ def contestant(argument: str, value: Any) -> Contestant:
 
     Args:
         argument: The name of the argument, for the error message.
-        value: A name; an object with ``choose(situation)``, of which every frame gets a copy; or a
-            class or function without arguments that makes one, and is called for every frame.
+        value: A contestant; a name; an object with ``choose(situation)``, of which every frame
+            gets a copy; or a class or function without arguments that makes one, and is called
+            for every frame.
 
     Raises:
         InputError: It is none of these, or the object cannot be copied.
     """
+    if isinstance(value, Contestant):
+        return value
     if isinstance(value, str):
         return _built_in(argument, value)
     if isinstance(value, type):

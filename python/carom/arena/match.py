@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from contextlib import nullcontext
+from contextlib import AbstractContextManager, nullcontext
 from typing import TYPE_CHECKING, Any
 
 from carom import _core
@@ -54,7 +54,7 @@ def play_match(
     threads: int | None = None,
     processes: int | None = None,
     strict: bool = False,
-    progress: bool = False,
+    progress: bool | Callable[[int, int], object] = False,
 ) -> MatchResult:
     """Play a match between two players, or continue it.
 
@@ -110,7 +110,8 @@ def play_match(
             file has its call under ``if __name__ == "__main__":``.
         strict: Whether an exception of a player of one's own stops the match, and is raised. Pairs
             that had ended are kept.
-        progress: Show a progress bar on stderr.
+        progress: Show a progress bar on stderr; or a function that is called with the number of
+            pairs played and of all pairs now and then. Its exception stops the match.
 
     Raises:
         InputError: There is no such player or game, a value has the wrong type or is out of
@@ -144,7 +145,7 @@ def play_match(
     )
     folder = checked_path("out", out, "match")
     confidence = number("level", level)
-    with stage_bars(["pairs"], show=progress) as report:
+    with _reporting(progress) as report:
         if processes is not None:
             if threads is not None:
                 raise InputError(
@@ -169,3 +170,12 @@ def play_match(
                 asking.interrupt,
             )
     return MatchResult._read(fields, plan.game, plan.names, confidence, plan.test)
+
+
+def _reporting(
+    progress: bool | Callable[[int, int], object],
+) -> AbstractContextManager[Callable[[int, int, int], object]]:
+    """What Rust calls with the stage, the pairs played and all pairs."""
+    if isinstance(progress, bool):
+        return stage_bars(["pairs"], show=progress)
+    return nullcontext(lambda _, done, count: progress(done, count))

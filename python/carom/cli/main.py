@@ -15,6 +15,7 @@ import typer
 from carom import __version__
 from carom.cli import (
     INTERRUPTED,
+    arena,
     convert,
     engine,
     match,
@@ -51,6 +52,7 @@ app.command("solve", cls=renamed.command(elevation="elevation-deg", of_a_way="pe
 )
 app.command("think")(think.think)
 app.command("match")(match.match)
+app.add_typer(arena.arena, name="arena")
 app.add_typer(plan.maps, name="map")
 app.add_typer(plan.stats, name="stats")
 app.command("sweep")(sweep.sweep)

@@ -14,10 +14,10 @@ import typer
 import carom
 from carom import Call, Perception, Play, Strike
 from carom.arena.contestants import is_of_player
+from carom.arena.named_players import named_player
 from carom.batch import own_strike
 from carom.cli.options import NOISES, Json, Level, named_noise
 from carom.cli.output import emit, emit_answer, read, say
-from carom.cli.players import named_player
 from carom.errors import InputError
 from carom.reference import DEFAULT_OPTIONS, points_help
 

@@ -93,10 +93,10 @@ def physics(
 
 def schema(
     kind: Annotated[
-        str, typer.Argument(metavar="[shot|trace|play|sweep]", help="The kind of file.")
+        str, typer.Argument(metavar="[shot|trace|play|sweep|tournament]", help="The kind of file.")
     ] = "shot",
 ) -> None:
-    """Print the JSON Schema of a shot, a trace, a play of a game, or a sweep."""
+    """Print the JSON Schema of a shot, a trace, a play of a game, a sweep, or a tournament."""
     emit(js.dumps(carom.schema(kind), indent=2))  # type: ignore[arg-type] # checked there
 
 

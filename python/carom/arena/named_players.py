@@ -1,4 +1,4 @@
-"""Players of one's own on the command line: ``FILE.py:NAME``."""
+"""Players of one's own in a file: ``FILE.py:NAME``."""
 
 from __future__ import annotations
 
@@ -13,11 +13,12 @@ from carom.files import shown
 _SEPARATOR = ".py:"
 
 
-def named_player(argument: str, word: str) -> Any:
+def named_player(argument: str, word: str, folder: Path = Path()) -> Any:
     """The player that an argument names.
 
     Args:
         argument: The name of the argument, for the error message.
+        folder: The folder to which FILE.py is relative.
         word: The name of a built-in player; or ``FILE.py:NAME``, where NAME is a class with a
             method ``choose``, a function without arguments that makes a player, or a player.
 
@@ -34,7 +35,7 @@ def named_player(argument: str, word: str) -> Any:
     file, separator, name = word.rpartition(_SEPARATOR)
     if not separator:
         return word
-    path = Path(file + ".py")
+    path = folder / (file + ".py")
     module = load_file(argument, path)
     found = getattr(module, name, None)
     if found is None:

@@ -1,0 +1,192 @@
+"""What a tournament has come to."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import asdict, dataclass, replace
+from typing import TYPE_CHECKING, Any, Self
+
+from carom import _core
+from carom.arena.result import TestResult
+from carom.columns import lines
+
+if TYPE_CHECKING:
+    from carom.arena.tournament_folder import FrameResult, TournamentFolder
+    from carom.arena.tournament_schedule import Encounter
+
+# Error probabilities of a sequential test, as in `play_match`.
+_ERROR_RATE = 0.05
+
+
+@dataclass(frozen=True, slots=True)
+class Standing:
+    """A player under a condition.
+
+    Attributes:
+        player: Its name.
+        frames: Number of its frames that count.
+        points: Its points: 1 for a won frame, ½ for a drawn one.
+    """
+
+    player: str
+    frames: int
+    points: float
+
+    @property
+    def share(self) -> float:
+        """Points for each frame; ½ without frames."""
+        return self.points / self.frames if self.frames else 0.5
+
+
+@dataclass(frozen=True, slots=True)
+class Standings:
+    """The players under a condition, the highest share of the points first.
+
+    The shares depend on whom a player met; ratings do not (``carom.arena.ratings``).
+
+    Attributes:
+        condition: The condition in words.
+        players: The players.
+    """
+
+    condition: str
+    players: tuple[Standing, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class TestOfChange:
+    """A sequential test of a tournament.
+
+    Attributes:
+        event: The name of its event.
+        condition: The condition in words.
+        players: The changed player, and the baseline.
+        pairs: Number of pairs in the test.
+        share: The share of the points of the changed player.
+        test: The state of the test.
+    """
+
+    event: str
+    condition: str
+    players: tuple[str, str]
+    pairs: int
+    share: float
+    test: TestResult
+
+    # The name begins with Test, so pytest would collect the class.
+    __test__ = False
+
+    def __str__(self) -> str:
+        one, other = self.players
+        return (
+            f"{self.event}, {self.condition}: {one} against {other}, "
+            f"{100 * self.share:.1f} % of the points in {self.pairs} pairs; {self.test}"
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class TournamentResult:
+    """What a tournament has come to; ``print`` it for tables.
+
+    Attributes:
+        folder: Its folder.
+        pairs: Number of pairs of frames that were played.
+        pairs_now: Number of them that the last call played.
+        finished: Whether nothing is missing.
+        standings: The players under each condition. Sequential tests are not included, because
+            a test ends when the share happens to be extreme.
+        tests: The sequential tests.
+    """
+
+    folder: str
+    pairs: int
+    pairs_now: int
+    finished: bool
+    standings: tuple[Standings, ...]
+    tests: tuple[TestOfChange, ...]
+
+    @classmethod
+    def read(cls, folder: TournamentFolder) -> Self:
+        """The result of what the folder has now."""
+        tables: dict[str, dict[str, list[float]]] = {}
+        titles: dict[str, str] = {}
+        tests: list[TestOfChange] = []
+        pairs, finished = 0, True
+        for each in folder.encounters():
+            blocks = folder.blocks(each)
+            finished &= all(block.finished for block in blocks)
+            frames = [frame for block in blocks for frame in block.frames()]
+            pairs += len(frames) // 2
+            if each.event.shares is not None:
+                tests.append(_test(each, frames))
+                continue
+            condition = each.condition
+            titles[condition.key] = condition.title
+            table = tables.setdefault(condition.key, {})
+            for frame in frames:
+                if frame.points is not None:
+                    one, other = each.players
+                    table.setdefault(one, []).append(frame.points)
+                    table.setdefault(other, []).append(1 - frame.points)
+        standings = tuple(
+            Standings(titles[key], _ranked(table)) for key, table in tables.items() if table
+        )
+        finished &= all(
+            len(folder.rounds(event, condition)) == event.rounds
+            for event in folder.events
+            for condition in event.conditions
+        )
+        return cls(str(folder.root), pairs, 0, finished, standings, tuple(tests))
+
+    def played_now(self, before: int) -> Self:
+        """The same result of a call before which there were this many pairs."""
+        return replace(self, pairs_now=self.pairs - before)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for JSON."""
+        return asdict(self)
+
+    def __str__(self) -> str:
+        state = "finished" if self.finished else "not finished"
+        text = [f"{self.pairs} pairs of frames, {self.pairs_now} of them now; {state}"]
+        for each in self.standings:
+            rows = [("player", "frames", "points", "share")]
+            rows += [
+                (row.player, f"{row.frames}", f"{row.points:g}", f"{100 * row.share:.1f} %")
+                for row in each.players
+            ]
+            text += ["", each.condition, *lines(rows, right_aligned={1, 2, 3})]
+        if self.tests:
+            text += ["", *map(str, self.tests)]
+        return "\n".join(text)
+
+
+def _ranked(table: dict[str, list[float]]) -> tuple[Standing, ...]:
+    found = [Standing(name, len(points), sum(points)) for name, points in table.items()]
+    return tuple(sorted(found, key=lambda row: (-row.share, row.player)))
+
+
+def _test(each: Encounter, frames: Sequence[FrameResult]) -> TestOfChange:
+    assert each.event.shares is not None
+    low, high = each.event.shares
+    counts = pair_counts(frames)
+    state = _core.test_state(counts, low, high, _ERROR_RATE, _ERROR_RATE)
+    pairs = sum(counts)
+    points = sum(0.5 * half * count for half, count in enumerate(counts))
+    return TestOfChange(
+        each.event.name,
+        each.condition.title,
+        each.players,
+        pairs,
+        points / (2 * pairs) if pairs else 0.5,
+        TestResult(low, high, **state),
+    )
+
+
+def pair_counts(frames: Sequence[FrameResult]) -> list[int]:
+    """Numbers of pairs in which player 0 has 0, ½, 1, 1½ and 2 points; only pairs that count."""
+    counts = [0] * 5
+    for first, second in zip(frames[::2], frames[1::2], strict=True):
+        if first.points is not None and second.points is not None:
+            counts[int(2 * (first.points + second.points))] += 1
+    return counts

@@ -1,0 +1,128 @@
+"""Playing the missing blocks of a tournament on the cores of this machine."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass
+from pathlib import Path
+from threading import Event, Lock
+from typing import Any
+
+from carom import _core
+from carom.arena.match import play_match
+from carom.arena.tournament_folder import Block, secret_of
+from carom.errors import InputError
+from carom.files import shown
+
+# Seconds between two looks at Ctrl-C.
+_PATIENCE = 0.2
+
+
+class _Stopped(Exception):  # noqa: N818 -- a stop is not an error
+    """Another block has failed, or Ctrl-C has come."""
+
+
+@dataclass(frozen=True, slots=True)
+class Worker:
+    """Plays blocks.
+
+    Attributes:
+        root: The folder of the tournament.
+        contestants: The players by their names in the tournament (``Contestant``).
+        secret: The secret of the tournament; None if every block has one of its own.
+    """
+
+    root: Path
+    contestants: Mapping[str, Any]
+    secret: str | None
+
+    def play(self, block: Block, threads: int, report: Callable[[int, int], object]) -> None:
+        """Play a block to its end, or continue it.
+
+        Args:
+            block: The block.
+            threads: Number of threads.
+            report: Called with the pairs done and all pairs now and then; its exception stops the
+                block, which is continued with the next call.
+        """
+        one, other = (self.contestants[name] for name in block.encounter.players)
+        play_match(
+            one,
+            other,
+            out=block.folder,
+            pairs=block.pairs,
+            test=block.encounter.event.shares,
+            secret=None if self.secret is None else secret_of(self.secret, self.root, block),
+            threads=threads,
+            progress=report,
+            **block.encounter.condition.arguments(),
+        )
+
+    def check_players(self, blocks: Sequence[Block]) -> None:
+        """Refuse a built-in player that decides otherwise than in the records of the blocks.
+
+        Raises:
+            InputError: With the name of the player.
+        """
+        entries = {
+            name: _core.player_entry(player.name) if player.make is None else None
+            for name, player in self.contestants.items()
+        }
+        for block in blocks:
+            header = block.header()
+            if header is None:
+                continue
+            for name, found in zip(block.encounter.players, header["players"], strict=True):
+                now = entries[name]
+                if now is not None and found != now:
+                    raise InputError(
+                        "changed",
+                        f"players.{name}",
+                        f"it decides otherwise than in {shown(block.record)}",
+                        "give the changed player another name, or choose another folder",
+                    )
+
+
+def play_here(
+    worker: Worker, blocks: Sequence[Block], threads: int, advance: Callable[[int], object]
+) -> None:
+    """Play blocks, several at once: Rust releases the interpreter's lock.
+
+    Every block has one thread. If there are fewer blocks than threads, they share the threads.
+    """
+    stop, lock = Event(), Lock()
+    each = max(1, threads // len(blocks))
+
+    def play(block: Block) -> None:
+        before = 0
+
+        def report(done: int, _: int) -> None:
+            nonlocal before
+            if stop.is_set():
+                raise _Stopped
+            with lock:
+                advance(done - before)
+            before = done
+
+        worker.play(block, each, report)
+
+    left = iter(blocks)
+    with ThreadPoolExecutor(threads) as pool:
+        running: set[Future[None]] = set()
+        try:
+            while True:
+                for block in left:
+                    running.add(pool.submit(play, block))
+                    if len(running) >= threads:
+                        break
+                if not running:
+                    return
+                done, running = wait(running, timeout=_PATIENCE, return_when=FIRST_COMPLETED)
+                for future in done:
+                    future.result()
+        finally:
+            # After Ctrl-C, or an error such as a full disk, the blocks stop until the next run.
+            stop.set()
+            for future in running:
+                future.cancel()

@@ -1,0 +1,10 @@
+"""``carom arena``: programs that play against each other."""
+
+from __future__ import annotations
+
+import typer
+
+from carom.cli import arena_run
+
+arena = typer.Typer(help="Tournaments between programs, and their ratings.", no_args_is_help=True)
+arena.command("run")(arena_run.run)
