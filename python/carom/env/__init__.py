@@ -21,6 +21,7 @@ except ImportError as error:
 
 from carom import _core
 from carom.env.episodes import EpisodeWriter
+from carom.env.players import PolicyPlayer, as_player
 from carom.env.registry import ENVIRONMENTS, register
 from carom.env.settings import MatchSettings, Rewards, Settings, VectorSettings
 from carom.env.single import CaromEnv
@@ -38,10 +39,12 @@ __all__ = [
     "CaromVectorEnv",
     "EpisodeWriter",
     "MatchSettings",
+    "PolicyPlayer",
     "Rewards",
     "Settings",
     "VectorSettings",
     "aec",
+    "as_player",
 ]
 
 #: Names of the numbers of an action, of each ball's features, and of the features after the balls.

@@ -53,16 +53,28 @@ def asking(opponent: Any, noise: Noise, width: int) -> Ask | None:
     kind = kind_of(opponent)
     if kind is None:
         return None
-    return _policy(opponent, width) if kind == "policy" else _player(opponent, noise)
+    return (
+        policy_actions("opponent", opponent, width)
+        if kind == "policy"
+        else _player(opponent, noise)
+    )
 
 
-def _policy(policy: Callable[[Any], Any], width: int) -> Ask:
+def policy_actions(argument: str, policy: Callable[[Any], Any], width: int) -> Ask:
+    """A policy whose actions are checked.
+
+    Args:
+        argument: The name of the argument that has the policy, for the error message.
+        policy: A function from observations to actions.
+        width: Size of an action.
+    """
+
     def actions(rows: Any) -> Any:
-        found = floats("opponent", policy(rows))
+        found = floats(argument, policy(rows))
         if found.shape != (len(rows), width):
             raise InputError(
                 "wrong-count",
-                "opponent",
+                argument,
                 f"it returned actions of the shape {found.shape} for {len(rows)} observations",
                 f"return {(len(rows), width)}",
             )
