@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from carom.arena.bradley_terry import Rating, RatingTable, ratings
 from carom.arena.match import play_match
 from carom.arena.pair import OpenMatch, PlayedPair, play_pair
 from carom.arena.plan import MatchPlan
@@ -16,6 +17,8 @@ __all__ = [
     "MatchResult",
     "OpenMatch",
     "PlayedPair",
+    "Rating",
+    "RatingTable",
     "Standing",
     "Standings",
     "TestOfChange",
@@ -24,5 +27,6 @@ __all__ = [
     "TournamentResult",
     "play_match",
     "play_pair",
+    "ratings",
     "replay_match",
 ]

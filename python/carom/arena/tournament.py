@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from carom.arena import tournament_file
@@ -19,6 +20,9 @@ from carom.progress import progress_bar
 
 if TYPE_CHECKING:
     import os
+
+#: The file of the standing table of the built-in players.
+LADDER = Path(__file__).parents[1] / "data" / "ladder.toml"
 
 
 class Tournament:
