@@ -334,6 +334,38 @@ def endings(found: Experiments) -> list[list[str]]:
     return rows
 
 
+def luck_saved(found: Experiments) -> list[list[str]]:
+    """Matches whose points are corrected for luck."""
+    head = ["Match", "game", "pairs", "points, %", "corrected, %", "weight"]
+    rows = [[*head, "variance saved"]]
+    for name, match in found.items():
+        if name.startswith("luck-") and "adjusted" in match:
+            adjusted = match["adjusted"]
+            one, other = match["players"]
+            cells = [f"{one} against {other}", match["game"], str(adjusted["pairs"])]
+            cells += [points(match), points(adjusted), f"{adjusted['weight']:.2f}"]
+            rows.append([*cells, f"× {adjusted['saved']:.1f}"])
+    return rows
+
+
+def luck_identical(found: Experiments) -> list[list[str]]:
+    """Frames of identical players, raw and corrected for luck by two values of positions."""
+
+    def cell(mean: float, error: float) -> list[str]:
+        off = f"{(mean - 0.5) / error:+.1f}"
+        return [f"{100 * mean:.2f} ± {100 * error:.2f}", off.replace("-", "−")]
+
+    rows = [["Share of the points", "%, with its standard error", "σ from 50 %"]]
+    if frames := found.get("luck-identical"):
+        rows.append(["raw", *cell(**frames["raw"])])
+        for value, title in (("logistic", "the built-in value"), ("noise", "a meaningless value")):
+            adjusted = frames[value]
+            weighted = cell(adjusted["share"], adjusted["error"])
+            rows.append([f"corrected by {title}, weight {adjusted['weight']:.2f}", *weighted])
+            rows.append([f"corrected by {title}, weight 1", *cell(**adjusted["plain"])])
+    return rows
+
+
 def made(found: Experiments) -> list[list[str]]:
     """Which commit made which result."""
     rows = [["Experiment", "commit"]]
@@ -383,5 +415,7 @@ TABLES = {
     "published": published,
     "deep-green": deep_green,
     "endings": endings,
+    "luck-saved": luck_saved,
+    "luck-identical": luck_identical,
     "strategy-commits": made,
 }

@@ -22,6 +22,7 @@ __all__ = [
     "VectorEnv",
     "__version__",
     "acceptance",
+    "adjusted_share",
     "bank_table",
     "break_presets",
     "break_shot",
@@ -406,8 +407,11 @@ def player_entry(name: str) -> dict[str, Any]: ...
 def test_state(
     counts: Sequence[int], p0: float, p1: float, alpha: float, beta: float
 ) -> dict[str, Any]: ...
+def adjusted_share(pairs: list[tuple[float, float]], level: float) -> dict[str, Any]: ...
 def pair_interval(counts: list[int], level: float) -> tuple[float, float]: ...
-def replay_match(text: str, level: float, threads: int, report: _Report) -> dict[str, Any]: ...
+def replay_match(
+    text: str, luck: int | None, level: float, threads: int, report: _Report
+) -> dict[str, Any]: ...
 
 @final
 class VectorEnv:

@@ -28,6 +28,7 @@ def modules() -> Any:
         "processes",
         "seeds",
         "tutorial",
+        "identical",
     )
     sys.path.insert(0, str(FOLDER))
     try:
@@ -169,6 +170,25 @@ def test_every_experiment_names_players_that_exist(modules: Any) -> None:
         for player in ("player", "one", "other"):
             if text := getattr(experiment, player, None):
                 assert carom.Player(text).name == text.partition("[")[0].partition(":")[0], name
+
+
+def test_frames_of_identical_players_have_shares_with_their_errors(
+    modules: Any, tmp_path: Path
+) -> None:
+    identical = modules["identical"]
+    lucks = [0.4, -0.5, 0.3, -0.4, 0.0, 0.2]
+    rows = [
+        {"frame": k, "points": float(k % 2 == 0), "logistic": luck, "noise": 0.1 - luck / 10}
+        for k, luck in enumerate(lucks)
+    ]
+    rows.append({"frame": 6, "points": None, "logistic": 9.0, "noise": 9.0})
+    (tmp_path / "0.jsonl").write_text("\n".join(map(json.dumps, rows)), encoding="utf-8")
+    found = identical.Identical("greedy", frames=7).play("a test", tmp_path, 1)
+    assert (found["frames"], found["raw"]["mean"]) == (7, 0.5)
+    assert found["raw"]["error"] == pytest.approx((0.3 / 6) ** 0.5)
+    assert found["logistic"]["plain"]["mean"] == pytest.approx(0.5 - sum(lucks) / 6)
+    assert found["logistic"]["plain"]["error"] < found["raw"]["error"]
+    assert found["noise"]["luck"]["mean"] == pytest.approx(0.1)
 
 
 def test_the_tenths_of_a_match_are_added(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from endings import Ending
+from identical import Identical
 from matches import Match
 from stated import Stated
 from tutorial import AgainstPlanner
@@ -25,7 +26,7 @@ MATRIX = (
 )
 MATRIX_SIMULATIONS = 3000
 
-EXPERIMENTS: dict[str, Match | Visits | Ending | Stated | AgainstPlanner] = {}
+EXPERIMENTS: dict[str, Match | Visits | Ending | Stated | AgainstPlanner | Identical] = {}
 
 # How often does the player who breaks run out?
 for game in ("eight-ball", "nine-ball"):
@@ -197,3 +198,13 @@ EXPERIMENTS["bar-5-ms-greedy"] = Match(
 # The planner of the tutorial "Two robots at eight-ball", with its break.
 for noise in (0.5, 1.0):
     EXPERIMENTS[f"bar-tutorial-x{noise:g}"] = AgainstPlanner("carom:3000", pairs=100, noise=noise)
+
+# The correction for luck: identical players are even, whatever the value of positions.
+EXPERIMENTS["luck-identical"] = Identical("greedy", frames=20_000, game="nine-ball", draws=4)
+# How much it saves.
+LUCKY = {
+    "eight-ball": ("carom:3000", "pick-pocket:3000"),
+    "nine-ball": ("carom:1000", "carom:300"),
+}
+for game, (one, other) in LUCKY.items():
+    EXPERIMENTS[f"luck-{game}"] = Match(one, other, pairs=100, game=game, luck=True)

@@ -34,6 +34,8 @@ class Match:
     test: tuple[float, float] | None = None
     #: Who begins: "alternate", or a player.
     breaker: str | int = "alternate"
+    #: Whether the luck of the shots is measured.
+    luck: bool = False
 
     def describe(self) -> str:
         """The match in words."""
@@ -53,6 +55,7 @@ class Match:
             breaker=self.breaker,
             same_break=self._break(),
             test=self.test,
+            luck=self.luck,
             # The racks and errors are those of the name.
             secret=hashlib.sha256(name.encode()).hexdigest(),
             threads=threads,

@@ -52,6 +52,7 @@ mod decisions;
 mod error;
 mod hold;
 mod ledger;
+mod luck;
 mod match_player;
 mod moves;
 mod open_match;
@@ -75,6 +76,7 @@ pub use check::{CheckSettings, Verdict, check, check_situations};
 pub use clock::{Clock, ClockPeriod, ClockUnit, Cost, expected_shots};
 pub use error::ArenaError;
 pub use ledger::RECORD;
+pub use luck::{LuckSettings, LuckValue, ShotLuck};
 pub use match_player::{MatchPlayer, Response};
 pub use moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
 pub use open_match::{MatchReport, OpenMatch};
@@ -89,8 +91,10 @@ pub use protocol::{
     ProtocolSettings,
 };
 pub use record::{MATCH_FORMAT, MatchHeader};
-pub use replay::{RecordDifference, Replay, positions, replay};
-pub use score::{FramePoints, MatchScore, PairScores, elo_of_share, share_of_elo};
+pub use replay::{RecordDifference, Replay, measure_luck, positions, replay};
+pub use score::{
+    AdjustedPairs, AdjustedShare, FramePoints, MatchScore, PairScores, elo_of_share, share_of_elo,
+};
 pub use secret::{PairSeeds, Secret};
 pub use sequential::{Hypothesis, SequentialTest, TestState};
 pub use settings::{Breaker, Disclosure, Match, MatchSettings, PlayerEntry, PlayerIndex};

@@ -8,6 +8,7 @@ use carom_mind::Answer;
 use carom_rules::{Ruling, Seat};
 
 use crate::clock::Cost;
+use crate::luck::ShotLuck;
 
 /// The executed part of a shot.
 #[derive(Clone, Debug, PartialEq)]
@@ -32,6 +33,8 @@ pub enum Effect {
         ruling: Ruling,
         /// The hash of the shot's trace.
         trace: u64,
+        /// Its luck; `None` if it is not measured.
+        luck: Option<ShotLuck>,
     },
     /// The shot reached its cap of events. The frame ends and does not count.
     Capped {

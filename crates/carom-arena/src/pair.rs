@@ -113,7 +113,7 @@ where
         let mut frame = ArenaFrame::begin(plan.of.clone(), frame_number, seeds, simulator)?;
         play_frame(&mut frame, &mut players, simulator, progress)?;
         let Some(end) = frame.end() else { return Ok(None) };
-        let points = FramePoints { points: frame.points(), reason: end.reason };
+        let points = FramePoints { points: frame.points(), reason: end.reason, luck: frame.luck() };
         played.push((frame_line(&frame).to_json_line(), points));
     }
     let pair = <[_; 2]>::try_from(played).ok().map(|[(one, points), (other, points_of_other)]| {

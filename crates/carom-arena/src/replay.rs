@@ -7,12 +7,13 @@ use carom_plan::Progress;
 use carom_rules::FrameSimulator;
 
 use crate::arena_frame::{ArenaFrame, Ask, NextStep};
+use crate::luck::LuckSettings;
 use crate::moves::FrameEnd;
 use crate::record::{
     ENGINE, MatchHeader, Recorded, at_line, frame_line, frame_number, frame_points, last_line,
     read_last_line, read_line, read_moves,
 };
-use crate::score::MatchScore;
+use crate::score::{FramePoints, MatchScore};
 use crate::secret::{LineHash, Secret};
 
 /// What a replay has found.
@@ -26,6 +27,8 @@ pub struct Replay {
     pub difference: Option<RecordDifference>,
     /// The score of the record.
     pub score: MatchScore,
+    /// The record with the luck of its shots, if [`measure_luck`] has made it.
+    pub with_luck: Option<String>,
 }
 
 /// A value of a record that its replay does not reproduce.
@@ -70,6 +73,26 @@ impl<'a> Record<'a> {
     fn frames(&self) -> &[&'a str] {
         &self.lines[1..self.lines.len() - 1]
     }
+
+    /// The result, with the difference that each frame has and its points.
+    fn into_replay(
+        self,
+        differences: Vec<Option<RecordDifference>>,
+        points: Vec<FramePoints>,
+    ) -> Replay {
+        let mut score = MatchScore::default();
+        for pair in points.as_chunks().0 {
+            score.add(pair);
+        }
+        let of_frames = (2..).zip(differences);
+        let of_frames = of_frames
+            .filter_map(|(line, found)| found.map(|found| RecordDifference { line, ..found }));
+        let difference = difference_of_secret(&self.header, &self.secret)
+            .or_else(|| of_frames.into_iter().next())
+            .or_else(|| difference_of_hash(&self));
+        let frames = self.frames().len() as u64;
+        Replay { header: self.header, frames, difference, score, with_luck: None }
+    }
 }
 
 /// Plays the record `text` of a match again: with the recorded answers, every seed, error, strike,
@@ -81,7 +104,58 @@ impl<'a> Record<'a> {
 /// line. [`Error::Input`] at `progress` if the replay was stopped.
 pub fn replay(text: &str, runner: &Runner, progress: &Progress) -> Result<Replay, Error> {
     let record = Record::read(text)?;
-    let (frames, Record { header, secret, .. }) = (record.frames(), &record);
+    let replayed = replay_frames(&record, &record.header, runner, progress, |node, frame| {
+        let again = frame_line(frame);
+        Ok((difference("", node, &again), frame_points(node)?))
+    })?;
+    let (differences, points) = replayed.into_iter().unzip();
+    Ok(record.into_replay(differences, points))
+}
+
+/// Plays the record `text` of a match again as [`replay`] does, and measures the luck of its shots.
+/// The result has the score that is corrected for it, and the record with the luck of every shot. A
+/// luck that the record had before is replaced.
+///
+/// # Errors
+/// As [`replay`], and [`Error::Input`] at `luck.draws`.
+pub fn measure_luck(
+    text: &str,
+    luck: LuckSettings,
+    runner: &Runner,
+    progress: &Progress,
+) -> Result<Replay, Error> {
+    let record = Record::read(text)?;
+    let MatchHeader { of, pairs, test, secret_sha256, .. } = &record.header;
+    let of = of.with_luck(luck)?;
+    let header = MatchHeader::new(of.into(), *pairs, *test, secret_sha256.clone());
+    let replayed = replay_frames(&record, &header, runner, progress, |node, frame| {
+        let again = frame_line(frame);
+        let difference = difference("", &without_luck(node.clone()), &without_luck(again.clone()));
+        let points = frame_points(&again)?;
+        Ok((again.to_json_line(), difference, points))
+    })?;
+    let mut with_luck = LineWriter::default();
+    with_luck.add(&header.to_node().to_json_line());
+    let (mut differences, mut points) = (Vec::new(), Vec::new());
+    for (line, difference, of_frame) in replayed {
+        with_luck.add(&line);
+        differences.push(difference);
+        points.push(of_frame);
+    }
+    let with_luck = Some(with_luck.finish(&record.secret));
+    Ok(Replay { with_luck, ..record.into_replay(differences, points) })
+}
+
+/// Plays the frames of a record again, in a match with this `header`. `judge` gets each line and its
+/// frame.
+fn replay_frames<T: Send>(
+    record: &Record<'_>,
+    header: &MatchHeader,
+    runner: &Runner,
+    progress: &Progress,
+    judge: impl Fn(&Node, &ArenaFrame) -> Result<T, Error> + Sync,
+) -> Result<Vec<T>, Error> {
+    let frames = record.frames();
     progress.begin(0, frames.len());
     let replayed =
         runner.map((0..).zip(frames), FrameSimulator::new, |simulator, (index, line)| {
@@ -90,23 +164,49 @@ pub fn replay(text: &str, runner: &Runner, progress: &Progress) -> Result<Replay
                 return Err(ErrorKind::Stopped.at("progress", "the replay was stopped", remedy));
             }
             let (node, line) = (read_line(line, index + 2)?, index + 2);
-            let again = play_again(header, secret, index, &node, simulator, &mut |_| ());
-            let again = again.map_err(|error| at_line(error, line))?;
-            let again = frame_line(&again);
+            let again = play_again(header, &record.secret, index, &node, simulator, &mut |_| ());
+            let judged = again.and_then(|frame| judge(&node, &frame));
             progress.add(1);
-            let points = frame_points(&node).map_err(|error| at_line(error, line))?;
-            Ok((difference("", &node, &again).map(|d| RecordDifference { line, ..d }), points))
+            judged.map_err(|error| at_line(error, line))
         });
-    let replayed = replayed.into_iter().collect::<Result<Vec<_>, Error>>()?;
-    let mut score = MatchScore::default();
-    for pair in replayed.as_chunks::<2>().0 {
-        score.add(&[pair[0].1, pair[1].1]);
+    replayed.into_iter().collect()
+}
+
+/// The lines of a record, and their hash.
+#[derive(Default)]
+struct LineWriter {
+    text: String,
+    hash: LineHash,
+}
+
+impl LineWriter {
+    fn add(&mut self, line: &str) {
+        self.hash.add(line);
+        self.text.push_str(line);
+        self.text.push('\n');
     }
-    let of_frames = replayed.into_iter().find_map(|(difference, _)| difference);
-    let difference =
-        difference_of_secret(header, secret).or(of_frames).or_else(|| difference_of_hash(&record));
-    let frames = frames.len() as u64;
-    Ok(Replay { header: record.header, frames, difference, score })
+
+    /// The record with its last line.
+    fn finish(self, secret: &Secret) -> String {
+        let last = last_line(secret, self.hash).to_json_line();
+        format!("{}{last}\n", self.text)
+    }
+}
+
+/// The line of a frame without the luck of its shots.
+fn without_luck(mut line: Node) -> Node {
+    if let Node::Object(entries) = &mut line {
+        for (key, value) in entries {
+            match value {
+                Node::Object(_) if key == "seeds" => value.remove("luck"),
+                Node::List(moves) if key == "moves" => {
+                    moves.iter_mut().for_each(|played| played.remove("luck"));
+                }
+                _ => {}
+            }
+        }
+    }
+    line
 }
 
 /// Plays the record `text` of a match again, and gives every request of every frame to `see`. Returns

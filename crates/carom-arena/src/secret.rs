@@ -20,6 +20,9 @@ const BYTES: usize = 32;
 /// The label of the generator of the seeds of decisions, in its key behind the seat's own seed.
 const DECISION_KEY: &[u8; 24] = b"carom: seed of decisions";
 
+/// The same of the seeds of fresh errors.
+const LUCK_KEY: &[u8; 24] = b"carom: luck of the shots";
+
 /// The secret of a match: 256 random bits.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub struct Secret([u8; BYTES]);
@@ -86,6 +89,7 @@ impl Secret {
             errors: [word(), word()],
             sight: [word(), word()],
             decisions: [word(), word()],
+            luck: [word(), word()],
         }
     }
 }
@@ -110,6 +114,9 @@ pub struct PairSeeds {
     /// Of the random numbers that the players are given, for each seat. The index is the number of
     /// the seat's requests before.
     pub decisions: [u64; 2],
+    /// Of the fresh errors by which the luck of shots is measured, for each seat. The index is the
+    /// number of the seat's own shots before.
+    pub luck: [u64; 2],
 }
 
 impl PairSeeds {
@@ -121,18 +128,29 @@ impl PairSeeds {
             errors: [self.errors[1], self.errors[0]],
             sight: [self.sight[1], self.sight[0]],
             decisions: [self.decisions[1], self.decisions[0]],
+            luck: [self.luck[1], self.luck[0]],
         }
     }
 
     /// The seed of decision number `index` of `seat`.
     pub(crate) fn decision(&self, seat: usize, index: u64) -> u64 {
-        let mut key = [0; BYTES];
-        key[..8].copy_from_slice(&self.decisions[seat].to_le_bytes());
-        key[8..].copy_from_slice(DECISION_KEY);
-        let mut random = ChaCha20Rng::from_seed(key);
-        random.set_stream(index);
-        random.next_u64()
+        derived(self.decisions[seat], DECISION_KEY, index)
     }
+
+    /// The seed of the fresh errors of shot number `index` of `seat`.
+    pub(crate) fn fresh_errors(&self, seat: usize, index: u64) -> u64 {
+        derived(self.luck[seat], LUCK_KEY, index)
+    }
+}
+
+/// Seed number `index` of those that derive from `seed` under this label.
+fn derived(seed: u64, label: &[u8; 24], index: u64) -> u64 {
+    let mut key = [0; BYTES];
+    key[..8].copy_from_slice(&seed.to_le_bytes());
+    key[8..].copy_from_slice(label);
+    let mut random = ChaCha20Rng::from_seed(key);
+    random.set_stream(index);
+    random.next_u64()
 }
 
 /// SHA-256 of `bytes` as 64 hexadecimal digits.
@@ -211,13 +229,13 @@ mod tests {
         for bytes in [[0; 32], [1; 32]] {
             for pair in 0..100 {
                 let seeds = Secret::new(bytes).pair_seeds(pair);
-                let [[a, b], [c, d], [e, f]] = [seeds.errors, seeds.sight, seeds.decisions];
-                for seed in [seeds.rack, a, b, c, d, e, f] {
+                let of_seats = [seeds.errors, seeds.sight, seeds.decisions, seeds.luck];
+                for seed in of_seats.into_iter().flatten().chain([seeds.rack]) {
                     assert!(seen.insert(seed));
                 }
-                for index in 0..3 {
-                    assert!(seen.insert(seeds.decision(0, index)));
-                    assert!(seen.insert(seeds.decision(1, index)));
+                for (seat, index) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+                    assert!(seen.insert(seeds.decision(seat, index)));
+                    assert!(seen.insert(seeds.fresh_errors(seat, index)));
                 }
             }
         }

@@ -7,6 +7,7 @@ use carom::{Error, ErrorKind, Noise};
 use carom_rules::{Frame, Game, Options, Play, recorded_setup};
 
 use crate::clock::Clock;
+use crate::luck::LuckSettings;
 use crate::secret::PairSeeds;
 
 /// Longest name of a player, characters. Names stand in tables.
@@ -83,6 +84,8 @@ pub struct MatchSettings {
     pub same_break: Option<Play>,
     /// Which standard deviations of errors the players know.
     pub disclosure: Disclosure,
+    /// How the luck of shots is measured; `None` if it is not. It changes nothing of what is played.
+    pub luck: Option<LuckSettings>,
 }
 
 impl MatchSettings {
@@ -101,6 +104,7 @@ impl MatchSettings {
             breaker: Breaker::Alternate,
             same_break: None,
             disclosure: Disclosure::Both,
+            luck: None,
         }
     }
 }
@@ -148,6 +152,16 @@ impl Match {
             start.shot(play).map_err(|error| error.inside("same_break"))?;
         }
         Ok(Self { settings, players, start })
+    }
+
+    /// The same match, whose luck is measured like this.
+    ///
+    /// # Errors
+    /// As [`LuckSettings::check`].
+    pub fn with_luck(&self, luck: LuckSettings) -> Result<Self, Error> {
+        luck.check()?;
+        let settings = MatchSettings { luck: Some(luck), ..self.settings.clone() };
+        Ok(Self { settings, ..self.clone() })
     }
 
     /// The settings.
@@ -203,6 +217,7 @@ fn check(settings: &MatchSettings) -> Result<(), Error> {
             "write at least 1",
         ));
     }
+    settings.luck.map_or(Ok(()), |luck| luck.check())?;
     match settings.breaker {
         Breaker::Always(player) if player > 1 => Err(ErrorKind::OutOfRange.at(
             "breaker",
@@ -241,6 +256,7 @@ mod tests {
         let breaking = Play::new(strike).from([0.635, 0.5]);
         let noise = [Noise::NONE, Noise { speed: -1.0, ..Noise::NONE }];
         let perception = [Perception::round(3.0), Perception::default()];
+        let no_draws = LuckSettings { draws: 0, ..LuckSettings::default() };
         for (settings, place) in [
             (MatchSettings { noise, ..good.clone() }, "noise[1].speed: "),
             (MatchSettings { perception, ..good.clone() }, "perception[0].position: "),
@@ -248,6 +264,7 @@ mod tests {
             (MatchSettings { breaker: Breaker::Always(2), ..good.clone() }, "breaker: "),
             (MatchSettings { max_events: 0, ..good.clone() }, "max_events: "),
             (MatchSettings { same_break: Some(breaking), ..good.clone() }, "same_break.strike"),
+            (MatchSettings { luck: Some(no_draws), ..good.clone() }, "luck.draws: "),
             (MatchSettings { table: Some("carom-10ft".into()), ..good.clone() }, "table: "),
         ] {
             let error = made(settings).unwrap_err().to_string();
@@ -267,14 +284,16 @@ mod tests {
 
     #[test]
     fn the_players_exchange_the_seats_or_the_streams() {
-        let seeds = PairSeeds { rack: 1, errors: [2, 3], sight: [4, 5], decisions: [6, 7] };
+        let seeds =
+            PairSeeds { rack: 1, errors: [2, 3], sight: [4, 5], decisions: [6, 7], luck: [8, 9] };
         let alternate = made(MatchSettings::new(Game::NineBall)).unwrap();
         assert_eq!([alternate.seats(4), alternate.seats(5)], [[0, 1], [1, 0]]);
         assert_eq!([alternate.seeds(4, seeds), alternate.seeds(5, seeds)], [seeds; 2]);
         let breaker = Breaker::Always(1);
         let always = made(MatchSettings { breaker, ..MatchSettings::new(Game::NineBall) }).unwrap();
         assert_eq!([always.seats(4), always.seats(5)], [[1, 0], [1, 0]]);
-        let exchanged = PairSeeds { errors: [3, 2], sight: [5, 4], decisions: [7, 6], ..seeds };
+        let exchanged =
+            PairSeeds { errors: [3, 2], sight: [5, 4], decisions: [7, 6], luck: [9, 8], ..seeds };
         assert_eq!([always.seeds(4, seeds), always.seeds(5, seeds)], [seeds, exchanged]);
     }
 }

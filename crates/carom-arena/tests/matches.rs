@@ -18,16 +18,12 @@ use carom_plan::Progress;
 use carom_rules::{Call, Game, Play};
 use common::{
     Folder, RandomPlayer, Repeater, SECRET, lines, made, plan, played, random_players, runner,
-    short,
+    short, two_random,
 };
 
 /// A decision without costs.
 fn decided(answer: Answer) -> Decision {
     Decision { answer, win_chance: None, spent: Spent::default() }
-}
-
-fn two_random() -> [Box<dyn Player>; 2] {
-    [Box::new(RandomPlayer), Box::new(RandomPlayer)]
 }
 
 /// Plays a whole match and returns its record.
@@ -432,7 +428,7 @@ fn a_plain_frame_repeats_the_executed_shots() {
     let mut shots = 0;
     for made in arena_frame.moves() {
         match (&made.answer, &made.effect) {
-            (Some(Answer::Play(play)), Effect::Played { execution, ruling, trace }) => {
+            (Some(Answer::Play(play)), Effect::Played { execution, ruling, trace, .. }) => {
                 let play = Play { strike: execution.strike, ..*play };
                 assert_eq!(frame.shot(&play).unwrap().simulate().unwrap().hash(), *trace);
                 assert_eq!(frame.play(&play).unwrap().0, *ruling);

@@ -1,5 +1,5 @@
 //! Matches: `_core.play_match`, `_core.play_pair`, `_core.OpenMatch` and `_core.replay_match`; the interval of
-//! pairs that were played elsewhere: `_core.pair_interval`.
+//! pairs that were played elsewhere: `_core.pair_interval` and `_core.adjusted_share`.
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -8,8 +8,9 @@ use std::sync::{Mutex, PoisonError};
 use carom::format::Node;
 use carom::runner::Runner;
 use carom_arena::{
-    ArenaError, BuiltInPlayer, Hypothesis, MatchPlan, MatchReport, MatchScore, PairScores,
-    PlayedPair, PlayerEntry, Replay, Secret, SequentialTest, TestState, elo_of_share,
+    AdjustedPairs, AdjustedShare, ArenaError, BuiltInPlayer, Hypothesis, LuckSettings, MatchPlan,
+    MatchReport, MatchScore, PairScores, PlayedPair, PlayerEntry, Replay, Secret, SequentialTest,
+    TestState, elo_of_share,
 };
 use carom_plan::{Interval, Progress, check_level};
 use carom_rules::FrameSimulator;
@@ -39,6 +40,25 @@ struct ScoreFields {
     elo_interval: (f64, f64),
     pairing_ratio: Option<f64>,
     reasons: BTreeMap<&'static str, u64>,
+    adjusted: Option<AdjustedFields>,
+}
+
+/// The share of the points, corrected for luck; a dict in Python.
+#[derive(IntoPyObject)]
+pub(crate) struct AdjustedFields {
+    pairs: u64,
+    share: f64,
+    share_interval: (f64, f64),
+    weight: f64,
+    saved: Option<f64>,
+}
+
+impl AdjustedFields {
+    fn new(pairs: &AdjustedPairs, level: f64) -> Option<Self> {
+        let AdjustedShare { share, interval, weight, saved } = pairs.share(level)?;
+        let share_interval = (interval.low, interval.high);
+        Some(Self { pairs: pairs.pairs(), share, share_interval, weight, saved })
+    }
 }
 
 impl ScoreFields {
@@ -58,6 +78,7 @@ impl ScoreFields {
             elo_interval: (elo_of_share(interval.low), elo_of_share(interval.high)),
             pairing_ratio: score.pairs.pairing_ratio(score.frames),
             reasons: score.reasons.iter().map(|(reason, n)| (reason.name(), *n)).collect(),
+            adjusted: AdjustedFields::new(&score.adjusted, level),
         }
     }
 }
@@ -280,13 +301,17 @@ pub(crate) struct ReplayFields<'py> {
     difference: Option<DifferenceFields>,
     other_engine: bool,
     score: ScoreFields,
+    with_luck: Option<String>,
 }
 
-/// Plays the record `text` of a match again. `report` is called with 0, frames done, all frames.
+/// Plays the record `text` of a match again. `luck`: with how many fresh errors of each shot its luck is
+/// measured; None if it is not. `report` is called with 0, frames done, all frames.
 #[pyfunction]
+#[pyo3(signature = (text, luck, level, threads, report))]
 pub(crate) fn replay_match<'py>(
     py: Python<'py>,
     text: &str,
+    luck: Option<u32>,
     level: f64,
     threads: usize,
     report: Py<PyAny>,
@@ -294,8 +319,11 @@ pub(crate) fn replay_match<'py>(
     let raise = |error| to_exception(py, &error);
     check_level(level).map_err(raise)?;
     let runner = Runner::new(count(threads)).map_err(raise)?;
-    let found: Replay =
-        progress::run(py, &report, |progress| carom_arena::replay(text, &runner, progress))?;
+    let luck = luck.map(|draws| LuckSettings { draws, ..LuckSettings::default() });
+    let found: Replay = progress::run(py, &report, |progress| match luck {
+        Some(luck) => carom_arena::measure_luck(text, luck, &runner, progress),
+        None => carom_arena::replay(text, &runner, progress),
+    })?;
     let other_engine = found.is_of_another_engine();
     let difference = found.difference.map(|found| DifferenceFields {
         line: found.line,
@@ -309,6 +337,7 @@ pub(crate) fn replay_match<'py>(
         difference,
         other_engine,
         score: ScoreFields::new(&found.score, level),
+        with_luck: found.with_luck,
     })
 }
 
@@ -318,6 +347,20 @@ pub(crate) fn player_entry<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'
     let player = BuiltInPlayer::read(name).map_err(|error| to_exception(py, &error))?;
     let PlayerEntry { name, settings } = player.entry();
     to_python(py, &Node::object([("name", name.into()), ("settings", settings)]))
+}
+
+/// The share of the points that is corrected for luck, from the share of the points and the luck of
+/// each pair; None without pairs.
+#[pyfunction]
+pub(crate) fn adjusted_share(
+    py: Python<'_>,
+    pairs: Vec<(f64, f64)>,
+    level: f64,
+) -> PyResult<Option<AdjustedFields>> {
+    check_level(level).map_err(|e| to_exception(py, &e))?;
+    let mut adjusted = AdjustedPairs::default();
+    pairs.into_iter().for_each(|(share, luck)| adjusted.add(share, luck));
+    Ok(AdjustedFields::new(&adjusted, level))
 }
 
 /// The state of a sequential test, from the numbers of pairs with 0, ½, 1, 1½ and 2 points.

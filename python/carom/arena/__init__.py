@@ -6,12 +6,13 @@ from carom.arena.bradley_terry import Rating, RatingTable, ratings
 from carom.arena.match import play_match
 from carom.arena.pair import OpenMatch, PlayedPair, play_pair
 from carom.arena.plan import MatchPlan
-from carom.arena.replay import MatchReplay, replay_match
-from carom.arena.result import MatchResult, TestResult
+from carom.arena.replay import MatchReplay, luck, replay_match
+from carom.arena.result import AdjustedShare, MatchResult, Score, TestResult
 from carom.arena.tournament import Tournament
 from carom.arena.tournament_result import Standing, Standings, TestOfChange, TournamentResult
 
 __all__ = [
+    "AdjustedShare",
     "MatchPlan",
     "MatchReplay",
     "MatchResult",
@@ -19,12 +20,14 @@ __all__ = [
     "PlayedPair",
     "Rating",
     "RatingTable",
+    "Score",
     "Standing",
     "Standings",
     "TestOfChange",
     "TestResult",
     "Tournament",
     "TournamentResult",
+    "luck",
     "play_match",
     "play_pair",
     "ratings",

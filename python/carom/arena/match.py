@@ -51,6 +51,7 @@ def play_match(
     patience: int = DEFAULT_OPTIONS.patience,
     max_events: int = 100_000,
     level: float = 0.95,
+    luck: bool | int = False,
     threads: int | None = None,
     processes: int | None = None,
     strict: bool = False,
@@ -101,6 +102,9 @@ def play_match(
         patience: Number of shots in a row without progress that make a stalemate.
         max_events: Largest number of events of a shot.
         level: Confidence level of the intervals, in (0, 1).
+        luck: Whether the luck of every shot is measured, for the share of the points that is
+            corrected for it (``result.score.adjusted``); or the number of fresh errors of each
+            shot (True: 256). It changes nothing of what is played.
         threads: Number of threads; None is one per core, and one if a player is not a built-in
             one. Players in Python take turns with the interpreter's lock, and a clock of seconds
             counts the time for which they wait.
@@ -141,6 +145,7 @@ def play_match(
         miss=miss,
         patience=patience,
         max_events=max_events,
+        luck=luck,
         strict=strict,
     )
     folder = checked_path("out", out, "match")

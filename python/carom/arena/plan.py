@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, Self, TypeVar
 
 from carom.arena.contestants import Asking, Contestant, contestant
+from carom.arena.fresh_errors import luck_settings
 from carom.arena.player_files import FILES, load_file
 from carom.arguments import numbers, text, truth, whole
 from carom.build import Physics, Table
@@ -76,6 +77,7 @@ class MatchPlan:
         miss: bool = DEFAULT_OPTIONS.miss,
         patience: int = DEFAULT_OPTIONS.patience,
         max_events: int = 100_000,
+        luck: bool | int = False,
         strict: bool = False,
     ) -> None:
         self.players = (contestant("one", one), contestant("other", other))
@@ -106,6 +108,7 @@ class MatchPlan:
             "breaker": breaker,
             "same_break": None if same_break is None else _break(same_break, game, table, physics),
             "disclosure": text("disclosure", disclosure, '"both"'),
+            "luck": luck_settings(luck),
             "test": self.test,
             "pairs": whole("pairs", pairs, low=1),
         }

@@ -51,6 +51,44 @@ class TestResult:
 
 
 @dataclass(frozen=True, slots=True)
+class AdjustedShare:
+    """The first player's share of the points, corrected for luck (docs/arena.md).
+
+    Attributes:
+        pairs: Number of pairs.
+        share: The share. It may lie a little outside of 0 to 1.
+        share_interval: Its confidence interval, computed from whole pairs.
+        weight: The mean weight of the luck: about 1 if the value of positions is right.
+        saved: The variance of a pair's share, divided by that of the corrected one. Without
+            the correction this number of times more pairs would have the same interval. None if
+            all are equal.
+    """
+
+    pairs: int
+    share: float
+    share_interval: tuple[float, float]
+    weight: float
+    saved: float | None
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values, for JSON."""
+        return {
+            "pairs": self.pairs,
+            "share": self.share,
+            "share_interval": list(self.share_interval),
+            "weight": self.weight,
+            "saved": self.saved,
+        }
+
+    def __str__(self) -> str:
+        low, high = (100 * end for end in self.share_interval)
+        line = f"corrected for luck {100 * self.share:.1f} % ({low:.1f} to {high:.1f})"
+        if self.saved is not None:
+            line += f"; the variance of a pair is {self.saved:.2f} times smaller"
+        return line
+
+
+@dataclass(frozen=True, slots=True)
 class Score:
     """The frames and pairs of a match, as counted for the first player.
 
@@ -71,6 +109,7 @@ class Score:
         pairing_ratio: The variance of a pair, divided by that of two independent frames; None if
             all frames ended the same.
         reasons: Number of frames by the reason of their end.
+        adjusted: The share corrected for luck, if the luck was measured.
     """
 
     players: tuple[str, str]
@@ -87,11 +126,13 @@ class Score:
     elo_interval: tuple[float, float]
     pairing_ratio: float | None
     reasons: dict[str, int]
+    adjusted: AdjustedShare | None
 
     @classmethod
     def _read(cls, fields: dict[str, Any], players: tuple[str, str], level: float) -> Self:
         """The score from its values in Rust."""
         losses, draws, wins = fields["frames"]
+        adjusted = fields["adjusted"]
         return cls(
             players=players,
             level=level,
@@ -107,6 +148,7 @@ class Score:
             elo_interval=fields["elo_interval"],
             pairing_ratio=fields["pairing_ratio"],
             reasons=fields["reasons"],
+            adjusted=None if adjusted is None else AdjustedShare(**adjusted),
         )
 
     @property
@@ -133,6 +175,7 @@ class Score:
             "elo_interval": [_finite(end) for end in self.elo_interval],
             "pairing_ratio": self.pairing_ratio,
             "reasons": self.reasons,
+            **({} if self.adjusted is None else {"adjusted": self.adjusted.to_dict()}),
         }
 
     def lines(self) -> list[str]:
@@ -164,6 +207,8 @@ class Score:
         ]
         if self.win_share.trials:
             lines.insert(4, f"wins of decided frames {self.win_share}, as if independent")
+        if self.adjusted is not None:
+            lines.insert(4, f"{one} has, {self.adjusted}")
         if ratio is not None:
             lines.append(f"variance of a pair: {ratio:.2f} of that of two independent frames")
         ends = ", ".join(f"{reason} {count}" for reason, count in self.reasons.items())

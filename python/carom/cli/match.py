@@ -14,6 +14,7 @@ import typer
 import carom
 from carom import Call, Perception, Play, Strike
 from carom.arena.contestants import is_of_player
+from carom.arena.fresh_errors import DRAWS
 from carom.arena.named_players import named_player
 from carom.batch import own_strike
 from carom.cli.options import NOISES, Json, Level, named_noise
@@ -105,6 +106,15 @@ def match(
             help="64 hexadecimal digits that determine racks and errors, to repeat a match.",
         ),
     ] = None,
+    luck: Annotated[
+        bool,
+        typer.Option(
+            "--luck", help="Measure the luck of every shot, and correct the score for it."
+        ),
+    ] = False,
+    luck_draws: Annotated[
+        int, typer.Option(min=1, help="Number of fresh errors of each shot for --luck.")
+    ] = DRAWS,
     level: Level = 0.95,
     threads: Annotated[
         int | None, typer.Option(min=1, help="Number of threads; default: one per core.")
@@ -131,8 +141,9 @@ def match(
     Pairs of frames have the same rack and the same errors, with the seats exchanged. After a stop
     the same command continues.
     """
+    measured = luck_draws if luck else False
     if replay is not None:
-        _replay(replay, (one, other, out), level, threads, json=json)
+        _replay(replay, (one, other, out), measured, level, threads, json=json)
         return
     if one is None or other is None:
         raise InputError(
@@ -162,6 +173,7 @@ def match(
             points=points,
             secret=secret,
             level=level,
+            luck=measured,
             threads=threads,
             processes=processes,
             strict=strict,
@@ -180,14 +192,20 @@ def match(
 
 
 def _replay(
-    record: str, others: tuple[object, ...], level: float, threads: int | None, *, json: bool
+    record: str,
+    others: tuple[object, ...],
+    luck: bool | int,
+    level: float,
+    threads: int | None,
+    *,
+    json: bool,
 ) -> None:
     if any(other is not None for other in others):
         raise InputError(
             "conflict", "--replay", "a record has its players", "leave A, B and --out out"
         )
     found = carom.replay_match(
-        read(record), level=level, threads=threads, progress=sys.stderr.isatty()
+        read(record), luck=luck, level=level, threads=threads, progress=sys.stderr.isatty()
     )
     if found.difference is not None:
         engine = ""

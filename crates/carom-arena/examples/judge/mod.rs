@@ -1,4 +1,4 @@
-//! What a play is worth: shared by the examples that compare players.
+//! What a play is worth, for the example that compares plays.
 
 use carom::Error;
 use carom::noise::Errors;

@@ -20,9 +20,10 @@ use carom_rules::{
 };
 
 use crate::clock::{Clock, ClockPeriod, ClockUnit, Cost};
+use crate::luck::{Forecast, LuckMeter, ShotLuck};
 use crate::moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
 use crate::secret::PairSeeds;
-use crate::settings::{Disclosure, Match, PlayerIndex};
+use crate::settings::{Disclosure, Match, MatchSettings, PlayerIndex};
 use crate::sight::perceive;
 
 pub use last_shot::LastShot;
@@ -190,6 +191,21 @@ impl ArenaFrame {
     pub fn points(&self) -> Option<f64> {
         let of_seat_0 = self.end.as_ref()?.points()?;
         Some(if self.players[0] == 0 { of_seat_0 } else { 1.0 - of_seat_0 })
+    }
+
+    /// The luck of player 0 so far: the sum over all shots of what their errors have changed of its
+    /// chance to win; `None` if it is not measured.
+    pub fn luck(&self) -> Option<f64> {
+        self.of.settings().luck?;
+        let of_moves = self.moves.iter().filter_map(|arena_move| match &arena_move.effect {
+            Effect::Played { luck: Some(luck), .. } => {
+                let of_player_0 = self.players[arena_move.seat] == 0;
+                Some(if of_player_0 { luck.luck() } else { -luck.luck() })
+            }
+            _ => None,
+        });
+        // The sum of nothing would be −0.
+        Some(of_moves.fold(0.0, |sum, luck| sum + luck))
     }
 
     /// The next request and its player, or the end of the frame.
@@ -409,8 +425,16 @@ impl ArenaFrame {
         seat: Seat,
         play: &Play,
     ) -> Result<Effect, Error> {
-        let noise = &self.of.settings().noise[self.players[seat]];
         let index = self.seats[seat].shots;
+        let meter = self.luck_meter();
+        let forecast = match &meter {
+            Some(meter) => {
+                let seed = self.seeds.fresh_errors(seat, index);
+                meter.forecast(simulator, &self.frame, play, seed)?
+            }
+            None => None,
+        };
+        let noise = &self.of.settings().noise[self.players[seat]];
         let prepared = self.frame.shot(play)?;
         let draw = ErrorDraw { seed: self.seeds.errors[seat], index };
         let (strike, cling) = execute(noise, &prepared, draw)?;
@@ -426,7 +450,10 @@ impl ArenaFrame {
         match result {
             Ok((trace, ruling)) => {
                 self.racked = ruling.racked;
-                Ok(Effect::Played { execution, ruling, trace })
+                let luck = meter.zip(forecast).map(|(meter, Forecast { before, expected })| {
+                    ShotLuck { before, expected, after: meter.value(&self.frame, seat) }
+                });
+                Ok(Effect::Played { execution, ruling, trace, luck })
             }
             Err(Error::TooManyEvents(error)) => {
                 let why = format!("a shot reached its cap of {} events", error.cap);
@@ -436,6 +463,13 @@ impl ArenaFrame {
             }
             Err(other) => Err(other),
         }
+    }
+
+    /// What measures the luck of the shots, if the settings ask for it.
+    fn luck_meter(&self) -> Option<LuckMeter> {
+        let MatchSettings { luck, noise, .. } = self.of.settings();
+        let of_seats = || self.players.map(|player| noise[player].clone());
+        luck.map(|settings| LuckMeter { settings, noise: of_seats() })
     }
 
     fn choose(&mut self, choice: Choice) -> Effect {

@@ -7,10 +7,11 @@ use carom_mind::{Answer, Decision, Spent};
 use carom_rules::{Choice, Frame};
 
 use super::values::{
-    bits, cling, number, place, play, read_number, read_play, read_whole, strike, whole,
+    bits, cling, number, place, play, read_number, read_play, read_whole, strike, two, whole,
 };
 use crate::arena_frame::ArenaFrame;
 use crate::clock::Cost;
+use crate::luck::ShotLuck;
 use crate::moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
 use crate::score::FramePoints;
 use crate::secret::PairSeeds;
@@ -19,24 +20,30 @@ use crate::settings::PlayerIndex;
 /// The line of `frame`.
 pub(crate) fn frame_line(frame: &ArenaFrame) -> Node {
     let players = frame.players();
+    let has_luck = frame.of().settings().luck.is_some();
     Node::object([
         ("frame", whole(frame.number())),
         ("seats", Node::list(players.map(|player| player as i64))),
-        ("seeds", seeds(frame.seeds())),
+        ("seeds", seeds(frame.seeds(), has_luck)),
         ("moves", Node::list(frame.moves().iter().map(|m| move_node(frame.frame(), m)))),
         ("scores", Node::list(frame.frame().scores().map(i64::from))),
         ("end", frame.end().map(|end| end_node(end, players)).into()),
     ])
 }
 
-fn seeds(seeds: &PairSeeds) -> Node {
+/// The seeds of a frame; those of fresh errors if the luck of its shots is measured.
+fn seeds(seeds: &PairSeeds, has_luck: bool) -> Node {
     let two = |words: [u64; 2]| Node::list(words.map(bits));
-    Node::object([
+    let mut node = Node::object([
         ("rack", bits(seeds.rack)),
         ("errors", two(seeds.errors)),
         ("sight", two(seeds.sight)),
         ("decisions", two(seeds.decisions)),
-    ])
+    ]);
+    if has_luck {
+        node.set("luck", two(seeds.luck));
+    }
+    node
 }
 
 fn end_node(end: &FrameEnd, players: [PlayerIndex; 2]) -> Node {
@@ -72,10 +79,14 @@ fn move_node(frame: &Frame, arena_move: &ArenaMove) -> Node {
         node.set("info", info.clone());
     }
     match effect {
-        Effect::Played { execution, ruling, trace } => {
+        Effect::Played { execution, ruling, trace, luck } => {
             node.set("executed", execution_node(execution));
             node.set("ruling", frame.ruling_node(ruling));
             node.set("trace", bits(*trace));
+            if let Some(ShotLuck { before, expected, after }) = *luck {
+                let keys = [("before", before), ("expected", expected), ("after", after)];
+                node.set("luck", Node::object(keys.map(|(key, chance)| (key, number(chance)))));
+            }
         }
         Effect::Capped { execution } => {
             node.set("executed", execution_node(execution));
@@ -211,5 +222,24 @@ pub(crate) fn frame_points(node: &Node) -> Result<FramePoints, Error> {
             "write 0.0, 0.5 or 1.0",
         ));
     }
-    Ok(FramePoints { points, reason })
+    Ok(FramePoints { points, reason, luck: frame_luck(node)? })
+}
+
+/// The luck of player 0 in the frame whose line is `node`, as [`ArenaFrame::luck`].
+fn frame_luck(node: &Node) -> Result<Option<f64>, Error> {
+    let line = Reader::new(node, "");
+    let seeds = line.require("seeds", "the seeds of the frame, an object")?;
+    if seeds.get("luck").is_none() {
+        return Ok(None);
+    }
+    let seats = two(&line.require("seats", "the players at the seats")?, read_whole)?;
+    let mut sum = 0.0;
+    for played in line.require("moves", "the list of moves")?.items("the list of moves")? {
+        let Some(luck) = played.get("luck") else { continue };
+        let chance = |key| luck.require(key, "a chance")?.exact_number();
+        let seat = played.require("seat", "0 or 1")?.whole(0, 1)? as usize;
+        let luck = chance("after")? - chance("expected")?;
+        sum += if seats[seat] == 0 { luck } else { -luck };
+    }
+    Ok(Some(sum))
 }

@@ -10,6 +10,7 @@ use carom_rules::{Game, Options};
 use super::values::{play, read_play, read_whole, two, whole};
 use super::{ENGINE, MATCH_FORMAT};
 use crate::clock::{Clock, ClockPeriod, ClockUnit};
+use crate::luck::{LuckSettings, LuckValue};
 use crate::sequential::SequentialTest;
 use crate::settings::{Breaker, Disclosure, Match, MatchSettings, PlayerEntry};
 
@@ -28,6 +29,7 @@ const KEYS: &[&str] = &[
     "breaker",
     "same_break",
     "disclosure",
+    "luck",
     "pairs",
     "test",
     "secret_sha256",
@@ -80,7 +82,7 @@ impl MatchHeader {
             Breaker::Always(player) => Node::Integer(player as i64),
         };
         let same_break = settings.same_break.as_ref().map(|same| play(self.of.start(), same));
-        Node::object([
+        let mut node = Node::object([
             ("format", MATCH_FORMAT.into()),
             ("engine", (&self.engine).into()),
             ("players", Node::list(players)),
@@ -98,7 +100,11 @@ impl MatchHeader {
             ("pairs", whole(self.pairs)),
             ("test", self.test.as_ref().map(test_node).into()),
             ("secret_sha256", (&self.secret_sha256).into()),
-        ])
+        ]);
+        if let Some(luck) = &settings.luck {
+            node.set("luck", luck_node(luck));
+        }
+        node
     }
 
     /// Reads a header.
@@ -156,6 +162,7 @@ fn read_settings(header: &Reader<'_>) -> Result<MatchSettings, Error> {
         breaker: read_breaker(&require("breaker")?)?,
         same_break: None,
         disclosure: word(&require("disclosure")?, "disclosure", &DISCLOSURES)?,
+        luck: header.get("luck").map(|luck| read_luck(&luck)).transpose()?,
     })
 }
 
@@ -215,6 +222,21 @@ fn read_clock(at: &Reader<'_>) -> Result<Clock, Error> {
             "write either simulations or seconds",
         )),
     }
+}
+
+fn luck_node(luck: &LuckSettings) -> Node {
+    let LuckSettings { draws, value } = *luck;
+    Node::object([("draws", draws.into()), ("value", value.name().into())])
+}
+
+fn read_luck(at: &Reader<'_>) -> Result<LuckSettings, Error> {
+    at.keys(&["draws", "value"])?;
+    let draws = at.require("draws", "a whole number")?.whole(1, u32::MAX.into())? as u32;
+    let value = at.require("value", "the name of a value")?;
+    let name = value.text("the name of a value")?;
+    let known = LuckValue::ALL.map(LuckValue::name);
+    let found = LuckValue::named(name).ok_or_else(|| value.unknown_word(name, "value", &known))?;
+    Ok(LuckSettings { draws, value: found })
 }
 
 fn test_node(test: &SequentialTest) -> Node {

@@ -159,6 +159,11 @@ pub(crate) fn random_players(_: PlayerIndex) -> Result<Box<dyn Player>, Error> {
     Ok(Box::new(RandomPlayer))
 }
 
+/// Two random players.
+pub(crate) fn two_random() -> [Box<dyn Player>; 2] {
+    [Box::new(RandomPlayer), Box::new(RandomPlayer)]
+}
+
 /// Settings for short frames with errors: 3 points win straight pool and three-cushion, and 25 shots
 /// without progress are a stalemate.
 pub(crate) fn short(game: Game) -> MatchSettings {

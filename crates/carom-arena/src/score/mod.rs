@@ -5,12 +5,16 @@
 //! pairs, as in the testing of chess engines, where the five possible scores of a pair are called
 //! pentanomial.
 
+mod adjusted;
+
 use std::collections::BTreeMap;
 
 use carom::math::{log, pow, sqrt};
 use carom_plan::{Interval, two_sided_quantile, wilson};
 
 use crate::moves::EndReason;
+
+pub use adjusted::{AdjustedPairs, AdjustedShare};
 
 /// Variance of a pair's score if its frames are independent and both players equally strong:
 /// ½ · ½ · (1 − ½).
@@ -114,6 +118,8 @@ pub struct FramePoints {
     pub points: Option<f64>,
     /// Why the frame ended.
     pub reason: EndReason,
+    /// The luck of player 0 ([`crate::ArenaFrame::luck`]); `None` if it is not measured.
+    pub luck: Option<f64>,
 }
 
 /// The score of a match.
@@ -128,6 +134,8 @@ pub struct MatchScore {
     pub void: u64,
     /// Number of frames by the reason of their end.
     pub reasons: BTreeMap<EndReason, u64>,
+    /// The pairs in which both frames counted and the luck was measured.
+    pub adjusted: AdjustedPairs,
 }
 
 impl MatchScore {
@@ -142,6 +150,9 @@ impl MatchScore {
         }
         if let [Some(first), Some(second)] = pair.map(|frame| frame.points) {
             self.pairs.add([first, second]);
+            if let [Some(luck), Some(other)] = pair.map(|frame| frame.luck) {
+                self.adjusted.add(0.5 * (first + second), 0.5 * (luck + other));
+            }
         }
     }
 
@@ -166,8 +177,8 @@ mod tests {
 
     #[test]
     fn a_score_counts_frames_and_pairs() {
-        let won = |points| FramePoints { points, reason: EndReason::Won };
-        let void = FramePoints { points: None, reason: EndReason::EventCap };
+        let won = |points| FramePoints { points, reason: EndReason::Won, luck: Some(0.25) };
+        let void = FramePoints { points: None, reason: EndReason::EventCap, luck: None };
         let mut score = MatchScore::default();
         score.add(&[won(Some(1.0)), won(Some(0.0))]);
         score.add(&[won(Some(1.0)), won(Some(1.0))]);
@@ -177,6 +188,7 @@ mod tests {
         assert_eq!(score.pairs.counts, [0, 0, 1, 1, 1]);
         assert_eq!((score.void, score.reasons[&EndReason::EventCap]), (1, 1));
         assert!(close(score.pairs.share(), 0.75));
+        assert_eq!(score.adjusted.pairs(), 3);
         assert!(close(score.wins(0.95).0, 4.0 / 6.0));
     }
 
