@@ -201,10 +201,6 @@ for noise in (0.5, 1.0):
 
 # The correction for luck: identical players are even, whatever the value of positions.
 EXPERIMENTS["luck-identical"] = Identical("greedy", frames=20_000, game="nine-ball", draws=4)
-# How much it saves.
-LUCKY = {
-    "eight-ball": ("carom:3000", "pick-pocket:3000"),
-    "nine-ball": ("carom:1000", "carom:300"),
-}
-for game, (one, other) in LUCKY.items():
-    EXPERIMENTS[f"luck-{game}"] = Match(one, other, pairs=100, game=game, luck=True)
+# How much it saves, by game.
+for game in ("eight-ball", "nine-ball"):
+    EXPERIMENTS[f"luck-{game}"] = Match("carom:300", "carom:100", pairs=60, game=game, luck=True)
