@@ -10,6 +10,7 @@
 //! - [`MatchPlayer`] is who answers: a built-in player, or a program of one's own.
 //! - [`BuiltInPlayer`] makes a player from its name, such as `carom:2000`.
 //! - [`MatchScore`], [`PairScores`] and [`SequentialTest`] are the statistics.
+//! - [`RecordedMatch`] reads a record for viewers, frame by frame.
 //! - [`replay()`] plays a record, `carom-match/1`, again and compares every bit.
 //!
 //! ```
@@ -61,6 +62,7 @@ mod pair;
 mod program;
 mod protocol;
 mod record;
+mod recorded_match;
 mod replay;
 mod score;
 mod secret;
@@ -91,6 +93,7 @@ pub use protocol::{
     ProtocolSettings,
 };
 pub use record::{MATCH_FORMAT, MatchHeader};
+pub use recorded_match::RecordedMatch;
 pub use replay::{RecordDifference, Replay, measure_luck, positions, replay};
 pub use score::{
     AdjustedPairs, AdjustedShare, FramePoints, MatchScore, PairScores, elo_of_share, share_of_elo,

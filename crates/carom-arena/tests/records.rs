@@ -6,19 +6,12 @@ use carom::ErrorKind;
 use carom::noise::Perception;
 use carom::resolve::cue_ball::Strike;
 use carom_arena::{
-    Breaker, MATCH_FORMAT, MatchHeader, MatchPlan, MatchSettings, RECORD, Replay, SequentialTest,
-    play_match, positions, replay,
+    Breaker, MATCH_FORMAT, MatchHeader, MatchPlan, MatchSettings, Replay, SequentialTest,
+    positions, replay,
 };
 use carom_plan::Progress;
 use carom_rules::{Call, Game, Play};
-use common::{Folder, lines, plan, random_players, runner, short};
-
-fn record(plan: &MatchPlan, name: &str) -> String {
-    let folder = Folder::new(name);
-    let progress = Progress::default();
-    play_match(plan, folder.path(), &random_players, &runner(1), &progress).unwrap();
-    folder.read(RECORD)
-}
+use common::{lines, plan, record, runner, short, with_changed_digit};
 
 fn replayed(text: &str) -> Result<Replay, carom::Error> {
     replay(text, &runner(1), &Progress::default())
@@ -67,22 +60,6 @@ fn records_with_given_breaks_and_errors_of_perception_replay() {
         assert_eq!(text.matches("\"given\": true").count(), 4, "{breaker:?}");
         assert_eq!(replayed(&text).unwrap().difference, None, "{breaker:?}");
     }
-}
-
-/// `text` with a digit in the middle of the first number behind `key` on line `line` (from 1)
-/// changed.
-fn with_changed_digit(text: &str, line: usize, key: &str) -> String {
-    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
-    let changed = &mut lines[line - 1];
-    let start = changed.find(&format!("\"{key}\": ")).unwrap() + key.len() + 4;
-    let is_digit = |c: char| c.is_ascii_digit() || "[.-\"abcdef".contains(c);
-    let end = start + changed[start..].find(|c| !is_digit(c)).unwrap();
-    let digits: Vec<usize> =
-        (start..end).filter(|&i| changed.as_bytes()[i].is_ascii_digit()).collect();
-    let middle = digits[digits.len() / 2];
-    let digit = changed[middle..=middle].parse::<u8>().unwrap();
-    changed.replace_range(middle..=middle, &((digit + 1) % 10).to_string());
-    lines.join("\n") + "\n"
 }
 
 #[test]

@@ -2,12 +2,14 @@
 
 use carom::error::InputError;
 use carom::format::{Node, Reader};
+use carom::shot::Cling;
 use carom::{Error, ErrorKind};
 use carom_mind::{Answer, Decision, Spent};
 use carom_rules::{Choice, Frame};
 
 use super::values::{
-    bits, cling, number, place, play, read_number, read_play, read_whole, strike, two, whole,
+    bits, cling, number, place, play, read_number, read_place, read_play, read_strike, read_whole,
+    strike, two, whole,
 };
 use crate::arena_frame::ArenaFrame;
 use crate::clock::Cost;
@@ -116,6 +118,19 @@ fn execution_node(execution: &Execution) -> Node {
         node.set("cling", cling(&execution.cling));
     }
     node
+}
+
+/// An execution that [`frame_line`] wrote.
+pub(crate) fn read_execution(at: &Reader<'_>) -> Result<Execution, Error> {
+    at.keys(&["strike", "cue_ball", "cling"])?;
+    let cling = at.get("cling").map_or(Ok(Cling::NONE), |at| {
+        Cling::from_node(at.node()).map_err(|error| error.inside(at.place()))
+    });
+    Ok(Execution {
+        strike: read_strike(&at.require("strike", "the strike, an object")?)?,
+        cue_ball: at.get("cue_ball").map(|at| read_place(&at)).transpose()?,
+        cling: cling?,
+    })
 }
 
 fn cost_node(cost: &Cost) -> Node {

@@ -12,10 +12,12 @@ use carom::format::{Node, Reader};
 
 use crate::secret::{LineHash, Secret};
 
-pub(crate) use frame_line::{Recorded, frame_line, frame_number, frame_points, read_moves};
+pub(crate) use frame_line::{
+    Recorded, frame_line, frame_number, frame_points, read_execution, read_moves,
+};
 pub use header::MatchHeader;
 pub(crate) use header::{clock_node, disclosure_node, read_agreement};
-pub(crate) use values::{place, strike};
+pub(crate) use values::{place, read_play, strike};
 
 /// The format's name, `format` of the header.
 pub const MATCH_FORMAT: &str = "carom-match/1";

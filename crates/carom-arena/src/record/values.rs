@@ -71,7 +71,7 @@ pub(crate) fn strike(strike: &Strike) -> Node {
     ])
 }
 
-fn read_strike(at: &Reader<'_>) -> Result<Strike, Error> {
+pub(super) fn read_strike(at: &Reader<'_>) -> Result<Strike, Error> {
     let key = |key| read_number(&at.require(key, "a number")?);
     Ok(Strike {
         speed: key("speed")?,
@@ -85,6 +85,14 @@ fn read_strike(at: &Reader<'_>) -> Result<Strike, Error> {
 /// A place of the cue ball (file coordinates, m).
 pub(crate) fn place([x, y]: [f64; 2]) -> Node {
     Node::List(vec![number(x), number(y)])
+}
+
+/// A place that [`place`] wrote.
+pub(super) fn read_place(at: &Reader<'_>) -> Result<[f64; 2], Error> {
+    match at.items(PLACE)?.as_slice() {
+        [x, y] => Ok([read_number(x)?, read_number(y)?]),
+        _ => Err(at.wrong_type(PLACE)),
+    }
 }
 
 /// A play in `frame`: `strike`, and if they exist `cue_ball` and `call`.
@@ -113,16 +121,10 @@ pub(super) fn play(frame: &Frame, play: &Play) -> Node {
 }
 
 /// A play that [`play`] wrote.
-pub(super) fn read_play(frame: &Frame, at: &Reader<'_>) -> Result<Play, Error> {
+pub(crate) fn read_play(frame: &Frame, at: &Reader<'_>) -> Result<Play, Error> {
     at.keys(&["strike", "cue_ball", "call"])?;
     let strike = read_strike(&at.require("strike", "the strike, an object")?)?;
-    let cue_ball = match at.get("cue_ball") {
-        None => None,
-        Some(place) => match place.items(PLACE)?.as_slice() {
-            [x, y] => Some([read_number(x)?, read_number(y)?]),
-            _ => return Err(place.wrong_type(PLACE)),
-        },
-    };
+    let cue_ball = at.get("cue_ball").map(|at| read_place(&at)).transpose()?;
     let call = at.get("call").map_or(Ok(Call::Nothing), |call| read_call(frame, &call))?;
     Ok(Play { cue_ball, call, ..Play::new(strike) })
 }

@@ -12,8 +12,8 @@ use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use carom::{Error, Noise};
 use carom_arena::{
-    ArenaFrame, Clock, Match, MatchPlan, MatchSettings, PlayerEntry, PlayerIndex, Secret,
-    play_frame,
+    ArenaFrame, Clock, Match, MatchPlan, MatchSettings, PlayerEntry, PlayerIndex, RECORD, Secret,
+    play_frame, play_match,
 };
 use carom_mind::{Answer, Budget, Decision, Player, Situation, Spent};
 use carom_plan::Progress;
@@ -230,4 +230,28 @@ pub(crate) fn runner(threads: usize) -> Runner {
 /// The lines of a record, as values.
 pub(crate) fn lines(text: &str) -> Vec<Node> {
     text.lines().map(|line| Node::from_json(line).unwrap()).collect()
+}
+
+/// The record of the match, which is played in the folder `name`.
+pub(crate) fn record(plan: &MatchPlan, name: &str) -> String {
+    let folder = Folder::new(name);
+    let progress = Progress::default();
+    play_match(plan, folder.path(), &random_players, &runner(1), &progress).unwrap();
+    folder.read(RECORD)
+}
+
+/// `text` with a digit in the middle of the first number behind `key` on line `line` (from 1)
+/// changed.
+pub(crate) fn with_changed_digit(text: &str, line: usize, key: &str) -> String {
+    let mut lines: Vec<String> = text.lines().map(str::to_owned).collect();
+    let changed = &mut lines[line - 1];
+    let start = changed.find(&format!("\"{key}\": ")).unwrap() + key.len() + 4;
+    let is_digit = |c: char| c.is_ascii_digit() || "[.-\"abcdef".contains(c);
+    let end = start + changed[start..].find(|c| !is_digit(c)).unwrap();
+    let digits: Vec<usize> =
+        (start..end).filter(|&i| changed.as_bytes()[i].is_ascii_digit()).collect();
+    let middle = digits[digits.len() / 2];
+    let digit = changed[middle..=middle].parse::<u8>().unwrap();
+    changed.replace_range(middle..=middle, &((digit + 1) % 10).to_string());
+    lines.join("\n") + "\n"
 }
