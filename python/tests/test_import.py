@@ -218,6 +218,84 @@ def test_a_bad_table_state_is_refused(state: str, words: str) -> None:
     assert words in str(refused.value)
 
 
+def log() -> str:
+    """A log of a game: a break with the cue ball in hand, a decision, and a state of LogWriter."""
+    radius, rack = "0.028575", " 0.028575 1 1 0.558 0.559 0.028575 1 8 0.50 0.50"
+    before = f"3 {radius} 1 0 0.558 1.677{rack}"
+    scratched = f"3 {radius} 6 0 0.0 1.118{rack}"
+    strike, meant = "0.1 7.9 5.2 270.4 4.6", "0 8 5 270 4.5"
+    rest = '0.25 3.1 2 0.5 0.5 0.1 0.125 0.075 "A" "B"'
+    return "\n".join(
+        [
+            "GTYPE 1",
+            f"STATE 1 4 600 600 1 {before} 1 1",
+            f"SHOT {strike} {meant} 16 6 0 0.48 1.67705 {rest}",
+            f"STATE 1 6 600 600 0 {before} 1 0",
+            f"SHOT 0 0 0 0 0 0 0 0 0 0 16 6 1 0 0 {rest}",
+            f"STATE 1 1 600 600 0 {scratched} 1 0",
+            f"SHOT {strike} {meant} 1 0 0 0.3 1.0 {rest}",
+            "COMMENT the rest is a test of its own",
+            f"TSTATE {before}",
+            f"TSHOT {meant}",
+            f"TSTATE {before}",
+        ]
+    )
+
+
+def test_a_log_of_a_game_gives_a_shot_for_each_state() -> None:
+    shots = [made.shot.to_dict() for made in convert.fastfiz_log(log())]
+    assert [shot.get("strike", {}).get("azimuth_deg") for shot in shots] == [
+        pytest.approx(270.4),
+        None,
+        pytest.approx(270.4),
+        pytest.approx(270.0),
+        None,
+    ]
+    # The shot puts a cue ball in hand where its line says, also one that was pocketed.
+    assert [shot["balls"][0]["id"] for shot in shots] == 5 * ["cue"]
+    places = [tuple(shot["balls"][0]["position"]) for shot in shots]
+    assert places == [(0.48, 1.67705), (0.558, 1.677), (0.3, 1.0), *2 * [(0.558, 1.677)]]
+    made = convert.fastfiz(log(), index=2)
+    assert made.shot.to_dict() == shots[2]
+    assert said(made, "number 2")
+    assert said(made, "executed one")
+    assert said(convert.fastfiz(log(), index=1), "a decision in place of a shot")
+
+
+@pytest.mark.parametrize(
+    ("text", "index", "words"),
+    [
+        (log(), 9, "the log has 5 states"),
+        (log().replace("COMMENT", "REMARK"), 0, "line 8: a line of a FastFiz log begins with"),
+        (log().replace("0.48 1.67705", "0.48 north"), 0, "line 3: the shot: 'north'"),
+        (log().replace("STATE 1 6", "STATE 1 six"), 0, "line 4: the type of the turn: 'six'"),
+    ],
+)
+def test_a_bad_log_is_refused_with_its_line(text: str, index: int, words: str) -> None:
+    with pytest.raises(carom.InputError) as refused:
+        convert.fastfiz(text, index=index)
+    assert words in str(refused.value)
+
+
+def test_a_bad_state_of_a_log_is_refused_with_its_number() -> None:
+    with pytest.raises(carom.InputError, match="state 3: strike"):
+        convert.fastfiz_log(log().replace("TSHOT 0 8", "TSHOT 0 80"))
+    with pytest.raises(carom.InputError, match="not a log"):
+        convert.fastfiz_log(STATE)
+    with pytest.raises(carom.InputError, match="leave it out"):
+        convert.fastfiz(log(), (0, 0, 5, 68, 2))
+
+
+def test_the_command_prints_every_state_of_a_log(run: CommandLine) -> None:
+    done = run("import", "-", "--all", stdin=log())
+    assert done.returncode == 0
+    lines = done.stdout.splitlines()
+    shots = [made.shot for made in convert.fastfiz_log(log())]
+    assert [carom.Shot.from_json(line) for line in lines] == shots
+    assert done.stderr.count("default table") == 1
+    assert run("import", "-", "--all", "--index", "1", stdin=log()).returncode == 2
+
+
 @pytest.mark.parametrize("strike", [(0, 0, 5, 68), (30, 0, 5, 68, 2), (0, 0, 5, math.nan, 2)])
 def test_a_bad_fastfiz_strike_is_refused(strike: tuple[float, ...]) -> None:
     with pytest.raises(carom.InputError, match="strike"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json as js
 from enum import StrEnum
 from typing import Annotated
 
@@ -9,7 +10,7 @@ import typer
 
 import carom
 from carom.cli.output import emit, file_name, read_bytes, say
-from carom.convert._fastfiz import LOG_WORDS
+from carom.convert._fastfiz_log import LOG_WORDS
 from carom.errors import InputError
 from carom.files import refuse_other_encoding
 
@@ -40,6 +41,10 @@ def import_(
     index: Annotated[
         int | None, typer.Option(min=0, help="Which state of a FastFiz log, from 0.")
     ] = None,
+    all_: Annotated[
+        bool,
+        typer.Option("--all", help="Every state of a FastFiz log, a shot file on each line."),
+    ] = False,
     tolerance: Annotated[
         float,
         typer.Option(metavar="M", help="Largest overlap of balls and cushions that is removed, m."),
@@ -49,18 +54,28 @@ def import_(
 
     Messages on stderr name what the shot file cannot hold.
     """
+    if all_ and (index is not None or strike is not None):
+        option = "--index" if index is not None else "--strike"
+        raise InputError(
+            "conflict", option, "--all takes every state with its shot", "leave it out"
+        )
     data = read_bytes(file)
     refuse_other_encoding(data, file_name(file))
     try:
-        made = _convert(data, format_, strike, (index, tolerance))
+        if all_:
+            log = carom.convert.fastfiz_log(_text(data), tolerance=tolerance)
+        else:
+            log = [_convert(data, format_, strike, (index, tolerance))]
     except InputError as error:
         # The converters have only the bytes of the file.
         if error.place:
             raise
         raise error.at(file_name(file)) from None
-    for sentence in made.left_out:
+    # A sentence that holds for every state is printed once.
+    for sentence in dict.fromkeys(sentence for made in log for sentence in made.left_out):
         say(sentence)
-    emit(made.shot.to_json())
+    for made in log:
+        emit(js.dumps(made.shot.to_dict()) if all_ else made.shot.to_json())
 
 
 def _convert(

@@ -5,8 +5,8 @@ made.shot.simulate()
 made.left_out                      # sentences on what could not be converted
 """
 
-from carom.convert._fastfiz import fastfiz
+from carom.convert._fastfiz import fastfiz, fastfiz_log
 from carom.convert._made import Converted
 from carom.convert._pooltool import pooltool
 
-__all__ = ["Converted", "fastfiz", "pooltool"]
+__all__ = ["Converted", "fastfiz", "fastfiz_log", "pooltool"]

@@ -8,6 +8,7 @@ from typing import Any
 
 from carom.arguments import numbers, whole
 from carom.arguments import text as checked
+from carom.convert._fastfiz_log import BALL_FIELDS, LoggedState, is_log, number, states_of
 from carom.convert._made import TOLERANCE, Converted, made
 from carom.errors import InputError
 
@@ -22,16 +23,8 @@ _POCKETS = {
     10: "bottom-right",
 }
 _STATES, _TYPES = 11, 16
-_FIELDS = 5
-
-
-# Words of a log line before its table state: none, or the game's type, the type of the turn, both
-# times, and whether the player began.
-_STATE_LINES = {"TSTATE": 0, "STATE": 5}
-# The shot of a log line is its first five numbers. Those of a SHOT are the executed ones.
-_SHOT_LINES = ("TSHOT", "SHOT")
-_OTHER_LINES = ("COMMENT", "GTYPE")
-LOG_WORDS = (*_STATE_LINES, *_SHOT_LINES, *_OTHER_LINES)
+# Radius of FastFiz's balls, m.
+_RADIUS = 0.028575
 
 
 def fastfiz(
@@ -57,19 +50,75 @@ def fastfiz(
     Raises:
         InputError: The text is not a table state or a log, or the engine rejects the shot.
     """
-    lines = checked("text", text)
+    given = checked("text", text)
     notes: list[str] = []
-    words, logged = lines.split(), None
-    if lines.split(maxsplit=1)[:1] and lines.split(maxsplit=1)[0] in LOG_WORDS:
-        words, logged = _of_log(lines, whole("index", index), notes)
+    state = LoggedState(given.split())
+    if is_log(given):
+        state = _of_log(given, whole("index", index), notes)
     elif index:
         raise InputError(
             "out-of-range", "index", f"{index} is out of range", "a table state has only 0"
         )
-    if logged is not None and strike is not None:
-        raise InputError("conflict", "strike", "the log has a shot for this state", "leave it out")
-    strike = logged if strike is None else strike
-    balls, more = _balls(words)
+    if strike is not None:
+        if state.strike is not None:
+            raise InputError(
+                "conflict", "strike", "the log has a shot for this state", "leave it out"
+            )
+        state = state._replace(strike=[*strike])
+    return _converted(state, notes, tolerance)
+
+
+def fastfiz_log(text: str, *, tolerance: float = TOLERANCE) -> list[Converted]:
+    """Convert all states of a FastFiz log, each with the shot that follows it.
+
+    Args:
+        text: As for ``fastfiz``, a log.
+        tolerance: As for ``fastfiz``.
+
+    Returns:
+        A shot for each state, in order. The last one may have no strike, and so has a state that
+        asks for a decision in place of a shot.
+
+    Raises:
+        InputError: The text is not a log, or the engine rejects a shot; the place has the number of
+            the state.
+    """
+    log = checked("text", text)
+    if not is_log(log):
+        raise InputError(
+            "format",
+            "text",
+            "it is not a log of FastFiz",
+            "give one state to carom.convert.fastfiz",
+        )
+    made_of = []
+    for index, state in enumerate(states_of(log)):
+        try:
+            made_of.append(_converted(state, [], tolerance))
+        except InputError as error:
+            raise error.inside(f"state {index}", ": ") from None
+    return made_of
+
+
+def _of_log(text: str, index: int, notes: list[str]) -> LoggedState:
+    """A state of a log.
+
+    Raises:
+        InputError: A line is not FastFiz's, or there is no such state.
+    """
+    states = states_of(text)
+    if index >= len(states):
+        raise InputError(
+            "out-of-range", "index", f"{index} is out of range", f"the log has {len(states)} states"
+        )
+    if len(states) > 1:
+        notes.append(f"The log has {len(states)} states; this is number {index}, counted from 0.")
+    return states[index]
+
+
+def _converted(state: LoggedState, notes: list[str], tolerance: float) -> Converted:
+    """The shot of a state."""
+    balls, more = _balls(state.words)
     file: dict[str, Any] = {"format": "carom-shot/1", "table": "poolfiz", "balls": balls}
     notes += more
     notes.append("A table state does not name its table; FastFiz's default table was assumed.")
@@ -77,72 +126,46 @@ def fastfiz(
         "Positions are FastFiz's, which has the head string at the top; the table poolfiz has it "
         "at the bottom."
     )
-    if strike is None:
+    if state.is_executed:
+        notes.append("The strike is the executed one, with FastFiz's noise, not the intended one.")
+    if state.is_decision:
+        notes.append("The state asks for a decision in place of a shot: the shot has no strike.")
+    elif state.strike is None:
         notes.append("A table state has no strike, and none was given: the shot has none.")
     else:
-        radius = next((b["radius"] for b in balls if b["id"] == "cue"), None)
-        if radius is None:
-            raise InputError(
-                "conflict", "strike", "the table state has no cue ball in play", "leave it out"
-            )
-        file["strike"] = _strike(strike, radius)
+        _add_strike(file, state)
     return made(file, notes, tolerance)
 
 
-def _of_log(text: str, index: int, notes: list[str]) -> tuple[list[str], list[float] | None]:
-    """The table state and the shot of a log, in words and numbers.
-
-    Raises:
-        InputError: A line is not FastFiz's, or there is no such state.
-    """
-    states: list[list[str]] = []
-    shots: dict[int, list[float]] = {}
-    noisy: set[int] = set()
-    for n, line in enumerate(text.splitlines(), 1):
-        kind, _, rest = line.strip().partition(" ")
-        words = rest.split()
-        if kind in _STATE_LINES:
-            before = _STATE_LINES[kind]
-            count = _number(words, before, f"line {n}: the number of balls")
-            # After the table state a game has words of its own.
-            states.append(words[before : before + 1 + _FIELDS * max(0, int(count))])
-        elif kind in _SHOT_LINES and states:
-            place = f"line {n}: the shot"
-            shots[len(states) - 1] = [_number(words, k, place) for k in range(_FIELDS)]
-            if kind == "SHOT":
-                noisy.add(len(states) - 1)
-        elif kind and kind not in LOG_WORDS:
-            raise InputError(
-                "syntax",
-                f"line {n}",
-                f"a line of a FastFiz log begins with one of {', '.join(LOG_WORDS)}, and "
-                f"this one with {kind!r}",
-                "remove it",
-            )
-    if index >= len(states):
+def _add_strike(file: dict[str, Any], state: LoggedState) -> None:
+    balls = file["balls"]
+    cue = next((ball for ball in balls if ball["id"] == "cue"), None)
+    if state.cue_ball is not None:
+        if cue is None:
+            cue = {"id": "cue", "position": [], "radius": _RADIUS}
+            balls.insert(0, cue)
+        cue["position"] = [*state.cue_ball]
+    if cue is None:
         raise InputError(
-            "out-of-range", "index", f"{index} is out of range", f"the log has {len(states)} states"
+            "conflict", "strike", "the table state has no cue ball in play", "leave it out"
         )
-    if len(states) > 1:
-        notes.append(f"The log has {len(states)} states; this is number {index}, counted from 0.")
-    if index in noisy:
-        notes.append("The strike is the executed one, with FastFiz's noise, not the intended one.")
-    return states[index], shots.get(index)
+    assert state.strike is not None
+    file["strike"] = strike_of(state.strike, cue["radius"])
 
 
 def _balls(words: list[str]) -> tuple[list[dict[str, Any]], list[str]]:
-    count = _number(words, 0, "the number of balls")
-    if count < 1 or not count.is_integer() or len(words) != 1 + _FIELDS * count:
+    count = number(words, 0, "the number of balls")
+    if count < 1 or not count.is_integer() or len(words) != 1 + BALL_FIELDS * count:
         raise InputError(
             "wrong-count",
             "",
             f"the table state begins with {count:g} balls, but {len(words) - 1} numbers follow",
-            f"write {_FIELDS} numbers for each ball: radius, state, type, x and y",
+            f"write {BALL_FIELDS} numbers for each ball: radius, state, type, x and y",
         )
     balls, notes, pocketed, moving, absent = [], [], [], [], []
     for i in range(int(count)):
-        at = 1 + _FIELDS * i
-        radius, state, kind, x, y = (_number(words, at + j, f"ball {i}") for j in range(_FIELDS))
+        at = 1 + BALL_FIELDS * i
+        radius, state, kind, x, y = (number(words, at + j, f"ball {i}") for j in range(BALL_FIELDS))
         if kind not in range(_TYPES) or state not in range(_STATES):
             raise InputError(
                 "out-of-range",
@@ -171,9 +194,9 @@ def _balls(words: list[str]) -> tuple[list[dict[str, Any]], list[str]]:
     return balls, notes
 
 
-def _strike(params: Sequence[float], radius: float) -> dict[str, Any]:
+def strike_of(params: Sequence[float], radius: float) -> dict[str, Any]:
     """The shot file's strike. FastFiz measures b vertically, carom perpendicular to the cue."""
-    params = numbers("strike", params, _FIELDS)
+    params = numbers("strike", params, 5)
     if not all(math.isfinite(p) for p in params):
         raise InputError(
             "out-of-range",
@@ -202,18 +225,3 @@ def _strike(params: Sequence[float], radius: float) -> dict[str, Any]:
         # FastFiz has no miscues.
         "miscue": "report",
     }
-
-
-def _number(words: list[str], index: int, what: str) -> float:
-    try:
-        value = float(words[index])
-    except (IndexError, ValueError):
-        found = words[index] if index < len(words) else "nothing"
-        raise InputError(
-            "wrong-type", what, f"{found!r} is not a number", "write numbers separated by blanks"
-        ) from None
-    if not math.isfinite(value):
-        raise InputError(
-            "out-of-range", what, f"{words[index]} is not finite", "write a finite number"
-        )
-    return value
