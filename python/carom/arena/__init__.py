@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from carom.arena.bradley_terry import Rating, RatingTable, ratings
+from carom.arena.bridge import Bridge
 from carom.arena.match import play_match
 from carom.arena.pair import OpenMatch, PlayedPair, play_pair
 from carom.arena.plan import MatchPlan
@@ -13,6 +14,7 @@ from carom.arena.tournament_result import Standing, Standings, TestOfChange, Tou
 
 __all__ = [
     "AdjustedShare",
+    "Bridge",
     "MatchPlan",
     "MatchReplay",
     "MatchResult",

@@ -93,12 +93,16 @@ class Situation:
 class Chooser(Protocol):
     """A player of one's own: any object with this method."""
 
-    def choose(self, situation: Situation, /) -> Play | Decision | Mapping[str, Any] | str:
+    def choose(
+        self, situation: Situation, /
+    ) -> Play | Decision | Mapping[str, Any] | str | InputError:
         """Answer the request of ``situation.frame``.
 
         Returns:
             A ``carom.Play``, a ``carom.Decision``, the name of one of ``request.choices``,
-            ``"concede"``, or plain values that follow ``situation.frame.answer_schema()``.
+            ``"concede"``, or plain values that follow ``situation.frame.answer_schema()``. A player
+            that passes on the answers of another program may return a ``carom.InputError``: the
+            answer is then refused as that error says.
         """
         ...
 
@@ -117,6 +121,8 @@ def answer_arguments(answer: Any) -> PlayArguments | str:
     Raises:
         InputError: It is not an answer.
     """
+    if isinstance(answer, InputError):
+        raise answer
     if isinstance(answer, Decision):
         if answer.play is None:
             return "concede" if answer.choice is None else text("choice", answer.choice)
