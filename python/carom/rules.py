@@ -22,6 +22,8 @@ from carom.shot import Shot
 from carom.trace import Trace
 
 _FORMAT = "carom-frame/1"
+# The first whole number that JavaScript does not tell from its neighbour.
+_SAFE = 1 << 53
 # Name and version, as a trace has them under `engine`.
 ENGINE = f"carom {_core.__version__}"
 
@@ -98,7 +100,8 @@ class Frame:
         game: One of ``carom.rule_sets()``, such as ``eight-ball``.
         table: As in a shot; the game's own table if None.
         physics: As in a shot; the table's own if None.
-        seed: Seed of the racks.
+        seed: Seed of the racks, below 2^64; or its 16 hexadecimal digits, as records of matches
+            have it.
         points: Points that win games whose ``scoring`` is ``target``
             (``carom.game_facts()``), such as straight pool.
         miss: Whether a foul and a miss is called in snooker.
@@ -121,7 +124,7 @@ class Frame:
         *,
         table: Table | str | Mapping[str, Any] | None = None,
         physics: Physics | str | Mapping[str, Any] | None = None,
-        seed: int = 0,
+        seed: int | str = 0,
         points: int = DEFAULT_OPTIONS.points,
         miss: bool = DEFAULT_OPTIONS.miss,
         patience: int = DEFAULT_OPTIONS.patience,
@@ -130,14 +133,16 @@ class Frame:
             table = table.description
         if isinstance(physics, Physics):
             physics = physics.description
-        seed, options = whole("seed", seed), _options(points, miss, patience)
-        self._core = _core.Frame(text("game", game, '"nine-ball"'), table, physics, seed, options)
+        number, options = _rack_seed(seed), _options(points, miss, patience)
+        name = text("game", game, '"nine-ball"')
+        self._core = _core.Frame(name, table, physics, number, options)
         self._moves = []
         self._setup = {
             "game": game,
             # Dated names of presets: the record replays when the presets have other values.
             **_core.Frame.recorded_setup(game, table, physics),
-            "seed": seed,
+            # A number of JavaScript does not hold 64 bits.
+            "seed": number if number < _SAFE else f"{number:016x}",
         } | options._asdict()
 
     @classmethod
@@ -597,6 +602,17 @@ class Frame:
         request = self.request
         asked = ", ".join(f"{key}={value!r}" for key, value in request.items() if value)
         return f"<Frame of {self.game}, {self.scores[0]}:{self.scores[1]}, asks {asked}>"
+
+
+def _rack_seed(seed: int | str) -> int:
+    """The seed as a number."""
+    if not isinstance(seed, str):
+        return whole("seed", seed)
+    if len(seed) != 16 or not set(seed) <= set("0123456789abcdef"):
+        raise InputError(
+            "syntax", "seed", f"found {seed!r}", "give 16 hexadecimal digits or a whole number"
+        )
+    return int(seed, 16)
 
 
 def _seeds(seed: int | Sequence[int]) -> int | tuple[int, int]:

@@ -4,6 +4,7 @@
 pub mod aim;
 pub mod batch;
 pub mod error;
+pub mod match_record;
 pub mod player;
 pub mod reference;
 pub mod rules;

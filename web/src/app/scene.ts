@@ -11,6 +11,7 @@ import { areasOf } from "./game/game-areas.ts";
 import type { Game, Guide } from "./document/stored-game.ts";
 import { shownGuide } from "./document/guide-extent.ts";
 import { endOfAimLine, shortPaths } from "./game/guide/short-paths.ts";
+import { intendedTrace } from "./game/recorded/intended-shots.ts";
 import { presentCall } from "./game/calling.ts";
 import { canAim, standing } from "./game/awaited-turn.ts";
 import { firstMeeting } from "./pot/first-contact.ts";
@@ -60,6 +61,7 @@ export class Scene {
   /** What is shown of the present paths. */
   #extent: Guide | "trace" = "full";
   #hasContactLines = false;
+  #intended: Trace | null = null;
   #states = new Float64Array(0);
 
   constructor(store: Store, context: Pick<Context, "viewer" | "loop" | "engine">) {
@@ -98,7 +100,7 @@ export class Scene {
 
   #replay(trace: Trace, { replay: { time, stroke } }: Session): void {
     this.#setBalls(trace.statesAt(time, this.#buffer(trace.shot.balls.length)));
-    this.#setPaths(trace, "trace");
+    this.#setPaths(trace, "trace", false, intendedTrace(this.#store, this.#engine));
     this.#viewer.setTime(time);
     this.#viewer.setCue(stroke > 0 ? stroking(trace, stroke) : null);
     this.#viewer.setMarks([]);
@@ -180,10 +182,17 @@ export class Scene {
     this.#viewer.setBalls(states);
   }
 
-  #setPaths(trace: Trace | null, extent: Guide | "trace", withLines = false): void {
+  /** @param intended The shot before the errors of its player, which is shown as an aimed one is. */
+  #setPaths(
+    trace: Trace | null,
+    extent: Guide | "trace",
+    withLines = false,
+    intended: Trace | null = null,
+  ): void {
     // Ghost and replay show the same trace in different styles.
-    if (trace === this.#paths && extent === this.#extent && withLines === this.#hasContactLines)
-      return;
+    const isSame = trace === this.#paths && intended === this.#intended;
+    if (isSame && extent === this.#extent && withLines === this.#hasContactLines) return;
+    this.#intended = intended;
     this.#paths = trace;
     this.#extent = extent;
     this.#hasContactLines = withLines;
@@ -193,6 +202,7 @@ export class Scene {
         : extent === "short"
           ? shortPaths(trace, PATH_TOLERANCE)
           : wholePaths(trace, extent);
+    if (intended) paths.push(...aimedPaths(intended));
     const long = paths.filter(({ points }) => moves(points));
     this.stats.paths = long.length;
     this.#viewer.setPaths([...long, ...(withLines && trace ? contactLines(trace) : [])]);
@@ -209,6 +219,13 @@ function contactLines(trace: Trace): BallPath[] {
     points: lineFrom(lines.from, direction, geometry.size, balls[struck]!.radius),
     style: "contact-line",
   }));
+}
+
+/** The paths of an intended shot that its player aimed: of the struck ball and of the first that it hits. */
+function aimedPaths(trace: Trace): BallPath[] {
+  const { struck, balls } = trace.shot;
+  const first = balls.findIndex(({ id }) => id === trace.outcome.first_contact);
+  return wholePaths(trace, "full").filter(({ ball }) => ball === struck || ball === first);
 }
 
 function wholePaths(trace: Trace, extent: Guide | "trace"): BallPath[] {

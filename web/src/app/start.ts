@@ -11,6 +11,8 @@ import { inSlices, type Slices } from "./common/slices.ts";
 import { FIRST_VIEW, type Document, type View } from "./document/document.ts";
 import { cannotOpen, documentOf, readFile } from "./document/shot-file.ts";
 import type { Store } from "./document/store.ts";
+import { isMatchText } from "./game/recorded/match-game.ts";
+import { openMatch } from "./game/recorded/match-list.ts";
 import { LESSONS } from "./help/lessons.ts";
 import { hasSeenOpening } from "./help/opening.ts";
 import { replay } from "./replay/replay-control.ts";
@@ -41,6 +43,7 @@ export async function startOf(engine: Engine): Promise<Start> {
   const plays = element?.dataset.play !== undefined;
   const kept = await fromLink(engine, first, takeKept);
   if (kept) return kept;
+  if (isMatchText(embedded)) return ofMatch(first, embedded);
   if (embedded !== "") return fromEmbedded(engine, first, embedded, plays);
   const linked = await fromLink(engine, first, readAddress);
   if (linked || hasSeenOpening()) return linked ?? showing(first);
@@ -67,6 +70,17 @@ function fromEmbedded(engine: Engine, first: Document, json: string, plays: bool
     if (!(error instanceof CaromError || error instanceof SyntaxError)) console.error(error);
     return refusing(first, cannotOpen(error, json));
   }
+}
+
+/** Opens the match that is embedded in the page, once the page is mounted. */
+function ofMatch(first: Document, text: string): Start {
+  const begin = (store: Store, context: Context) => {
+    void openMatch(store, context, text).catch((error: unknown) => {
+      if (!(error instanceof CaromError)) console.error(error);
+      store.refuse(cannotOpen(error, ""));
+    });
+  };
+  return { ...showing(first), begin };
 }
 
 /** The link that `read` finds; null if there is none. */

@@ -131,6 +131,16 @@ export function whole(
 }
 
 /**
+ * 64 bits from 16 hexadecimal digits.
+ *
+ * @throws CaromError for another text.
+ */
+export function bits(place: string, digits: string): bigint {
+  if (/^[0-9a-f]{16}$/.test(digits)) return BigInt(`0x${digits}`);
+  refuse("syntax", place, `found ${shown(digits)}`, "write 16 hexadecimal digits or a number");
+}
+
+/**
  * The index of a name.
  *
  * @throws CaromError if it is not among `names`.

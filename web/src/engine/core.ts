@@ -2,7 +2,7 @@
  * The engine without embedded WebAssembly: for a worker, which receives `Engine.module` from its page,
  * and for sites that serve the `.wasm` file themselves.
  */
-import { boolean, json, known, named, numbers, text, whole } from "./arguments.ts";
+import { bits, boolean, json, known, named, numbers, text, whole } from "./arguments.ts";
 import type { BreakOptions, Engine, RollingBand, RollingOptions } from "./engine.ts";
 import { CaromError, type Refusal, refusalOf, refuse } from "./error.ts";
 import { FRAME_FORMAT, replay } from "./frame-record.ts";
@@ -10,6 +10,7 @@ import { Handle, checked, uncloneable } from "./handle.ts";
 import { noiseJson, noiseOf } from "./noise.ts";
 import * as wasm from "./pkg/carom_wasm.js";
 import type { Player, PlayerOptions } from "./player.ts";
+import type { MatchFrame, MatchGame, MatchHeader, MatchRecord } from "./match.ts";
 import type {
   Choice,
   Frame,
@@ -53,6 +54,7 @@ import { WasmPlayer } from "./wasm-player.ts";
 
 export * from "./engine.ts";
 export * from "./error.ts";
+export * from "./match.ts";
 export * from "./player.ts";
 export * from "./rules.ts";
 export * from "./types.ts";
@@ -236,7 +238,7 @@ class WasmEngine implements Engine {
     const optional = (value: unknown) => (value === undefined ? undefined : JSON.stringify(value));
     const [table, physics] = [optional(options.table), optional(options.physics)];
     const { points, miss, patience } = terms;
-    const start = whole("seed", seed);
+    const start = typeof seed === "string" ? bits("seed", seed) : whole("seed", seed);
     const frame = checked(
       () => new wasm.Frame(text("game", game), table, physics, start, points, miss, patience),
     );
@@ -263,6 +265,10 @@ class WasmEngine implements Engine {
 
   replay(record: FrameRecord): Frame {
     return replay(this, record);
+  }
+
+  matchRecord(record: string): MatchRecord {
+    return new WasmMatchRecord(checked(() => new wasm.MatchRecord(text("record", record))));
   }
 
   player(options: PlayerOptions = {}): Player {
@@ -324,7 +330,35 @@ function frameHandleOf(frame: Frame): wasm.Frame {
 
 const SHOT = uncloneable("a shot", "send shot.file, and read it with engine.shot");
 const TRACE = uncloneable("a trace", "send trace.json(), and read it with engine.trace");
+const MATCH = uncloneable(
+  "a record of a match",
+  "send its text, and read it with engine.matchRecord",
+);
 const FRAME = uncloneable("a frame", "send frame.record, and restore it with engine.replay");
+
+class WasmMatchRecord implements MatchRecord {
+  readonly kind = MATCH;
+  readonly #handle: Handle<wasm.MatchRecord>;
+  readonly header: MatchHeader;
+  readonly isFinished: boolean;
+  readonly frames: readonly MatchFrame[];
+
+  constructor(record: wasm.MatchRecord) {
+    this.#handle = new Handle("record", record);
+    this.header = JSON.parse(record.header()) as MatchHeader;
+    this.isFinished = record.isFinished();
+    this.frames = JSON.parse(record.frames()) as MatchFrame[];
+  }
+
+  game(frame: number): MatchGame {
+    const number = whole("frame", frame);
+    return JSON.parse(checked(() => this.#handle.object.game(number))) as MatchGame;
+  }
+
+  free() {
+    this.#handle.free();
+  }
+}
 
 class WasmShot implements Shot {
   readonly kind = SHOT;

@@ -1,6 +1,7 @@
 /** The interface of the engine that `load` returns. */
 
 import type { CaromError } from "./error.ts";
+import type { MatchRecord } from "./match.ts";
 import type { Player, PlayerOptions } from "./player.ts";
 import type { Frame, FrameOptions, FrameRecord, FrameTerms, GameFacts } from "./rules.ts";
 import type { Batch, Geometry, Noise, Shot, ShotFile, Trace, TraceFile } from "./types.ts";
@@ -122,6 +123,12 @@ export interface Engine {
    * @throws CaromError if this is not a record, or a move is not allowed; the message has the move's index.
    */
   replay(record: FrameRecord): Frame;
+  /**
+   * Reads the record of a match, the text of `match.jsonl` or of the `played.jsonl` of one that goes on,
+   * without playing it.
+   * @throws CaromError with the line and the key of a damaged value.
+   */
+  matchRecord(record: string): MatchRecord;
   /** Names of the built-in players. */
   readonly players: readonly string[];
   /** A player that chooses shots and explains them. @throws CaromError for an invalid option. */

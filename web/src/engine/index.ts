@@ -4,6 +4,7 @@ import type { Engine } from "./engine.ts";
 
 export * from "./engine.ts";
 export * from "./error.ts";
+export * from "./match.ts";
 export * from "./player.ts";
 export * from "./rules.ts";
 export * from "./types.ts";

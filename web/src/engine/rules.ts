@@ -177,8 +177,11 @@ export interface FrameOptions extends FrameTerms {
   readonly table?: string | Readonly<Record<string, unknown>>;
   /** As in a shot file; default: the table's own. */
   readonly physics?: string | Readonly<Record<string, unknown>>;
-  /** Seed of the rack, a whole number. Default 0. */
-  readonly seed?: number;
+  /**
+   * Seed of the rack, a whole number; or 16 hexadecimal digits, as records of matches have it, because a
+   * number does not hold 64 bits. Default 0.
+   */
+  readonly seed?: number | string;
 }
 
 /** A move of a record: a play with all numbers of its strike, a choice, or a concession. */
@@ -196,7 +199,7 @@ export type FrameSetup = FrameTerms & { readonly game: string } & (
     | {
         readonly table: ShotFile["table"];
         readonly physics?: NonNullable<ShotFile["physics"]>;
-        readonly seed: number;
+        readonly seed: number | string;
       }
     | { readonly shot: ShotFile }
   );

@@ -1,6 +1,14 @@
 /** A game as the document stores it: its set-up and its moves. Its state is computed from these. */
 
-import type { Call, Choice, FrameOptions, Play, Seat, ShotFile } from "../../engine/index.ts";
+import type {
+  Call,
+  Choice,
+  FrameOptions,
+  Play,
+  Seat,
+  ShotFile,
+  Strike,
+} from "../../engine/index.ts";
 
 /** One value per player; the player who breaks is first. */
 export type Pair<T> = readonly [T, T];
@@ -15,6 +23,11 @@ export const LONGEST_NAME = 20;
 export type Guide = "none" | "short" | "full";
 
 export const GUIDES: readonly Guide[] = ["none", "short", "full"];
+
+/** The seed of a rack as a number, for what is drawn in the page; of 16 hexadecimal digits the last 12. */
+export function seedOf({ seed = 0 }: Pick<FrameOptions, "seed">): number {
+  return typeof seed === "number" ? seed : Number.parseInt(seed.slice(4), 16);
+}
 
 /** A match of several frames. */
 export interface Race {
@@ -56,6 +69,32 @@ export type Move =
  */
 export type Variations = Readonly<Record<number, string>>;
 
+/** What the record of a match has of a move beside the game. */
+export interface MoveNote {
+  readonly seat: Seat;
+  /** Index of the move in the game. Left out: the move did not change the game. */
+  readonly index?: number;
+  /** The intended shot; the game has the executed one. */
+  readonly play?: Play & { readonly strike: Strike };
+  /** The probability with which the player expected to win. */
+  readonly chance?: number;
+  /** Chances of the player: before the shot, expected after the intended one, and after it. */
+  readonly luck?: readonly [number, number, number];
+  /** Why the answer was refused. */
+  readonly refused?: string;
+  /** Why the player gave no answer, which lost the frame. */
+  readonly lost?: string;
+}
+
+/** What the record of a match has beside the game of a frame. */
+export interface MatchNotes {
+  /** The number of the frame in the match, from 0. */
+  readonly frame: number;
+  readonly moves: readonly MoveNote[];
+  /** How the frame ended; why in words. Left out: it goes on. */
+  readonly end?: { readonly reason: string; readonly why: string };
+}
+
 /** Immutable. Games that share the `moves` object are at the same point of the same frame. */
 export interface Game {
   readonly setup: Setup;
@@ -68,6 +107,8 @@ export interface Game {
   readonly extended?: Pair<boolean>;
   /** Variations of shots, by the index of the move. Left out: none. */
   readonly variations?: Variations;
+  /** Left out: the game is not a frame of a match. */
+  readonly notes?: MatchNotes;
 }
 
 /** The level of the machine that plays for `player`; null if a person does. */

@@ -3,7 +3,7 @@
 import { CaromError, type BallEntry, type Engine, type Point } from "../../engine/index.ts";
 import { azimuthTo } from "../common/angles.ts";
 import type { AimedShot } from "../document/document.ts";
-import type { Game } from "../document/stored-game.ts";
+import { type Game, seedOf } from "../document/stored-game.ts";
 import type { Progress } from "./game-progress.ts";
 import { freePlace, handOf, layoutOf } from "./referee.ts";
 
@@ -32,7 +32,8 @@ function isBreak({ steps }: Progress): boolean {
 }
 
 function standardBreak(engine: Engine, { setup }: Game): AimedShot | null {
-  const { table, seed = 0 } = setup.options;
+  const { table } = setup.options;
+  const seed = seedOf(setup.options);
   if (setup.from || typeof table === "object") return null;
   try {
     const shot = engine.breakShot(setup.rules, { seed, ...(table !== undefined && { table }) });

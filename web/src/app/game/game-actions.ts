@@ -18,7 +18,14 @@ import type { Context } from "../common/context.ts";
 import type { Store } from "../document/store.ts";
 import { firstAim } from "./first-aim.ts";
 import { missingPart, presentCall } from "./calling.ts";
-import { type Game, machineOf, type Move, newGame, type Setup } from "../document/stored-game.ts";
+import {
+  type Game,
+  machineOf,
+  type Move,
+  newGame,
+  seedOf,
+  type Setup,
+} from "../document/stored-game.ts";
 import { machineNoise } from "./machine/machine-levels.ts";
 import { nextFrame } from "./match/race.ts";
 import { after, type Progress, progressOf, remember } from "./game-progress.ts";
@@ -215,7 +222,7 @@ function executed(
   const noise = level === null ? own : machineNoise(engine, level);
   // A game plays the aimed shot without the contacts that cling in its file.
   if (!noise) return { strike: shot.strike! };
-  const { seed = 0 } = game.setup.options;
+  const seed = seedOf(game.setup.options);
   const variant = shot.variant(noise, game.moves.length, { seed });
   const drawn = { strike: variant.strike!, cling: variant.file.cling };
   variant.free();

@@ -18,6 +18,7 @@ import { standing } from "./awaited-turn.ts";
 import type { PlayedMove } from "./game-progress.ts";
 import { mountCostliest } from "./review/costliest-shots.ts";
 import { isShot, replayMove } from "./review/reviewed-shots.ts";
+import { chancesAt, mountNotes } from "./recorded/match-notes.ts";
 import { handOf } from "./referee.ts";
 import { mountSetup } from "./setup/game-setup.ts";
 import { countVariations, openStudy } from "./variations.ts";
@@ -37,7 +38,9 @@ export function mountGame(root: HTMLElement, store: Store, context: Context): vo
   const calls = h("section");
   const reason = h("section");
   const costs = h("section");
-  table.append(hand, calls, costs, reason);
+  const notes = h("section");
+  table.append(notes, hand, calls, costs, reason);
+  mountNotes(notes, store, context);
   mountHand(hand, store, context);
   mountCalls(calls, store, context);
   mountCostliest(costs, store, context);
@@ -176,6 +179,7 @@ function mountSheet(root: HTMLElement, store: Store, context: Context): void {
         isShot(step) && replayButton(index),
         isShot(step) && studyButton(index),
         tried(game.variations?.[index]),
+        chancesAt(game, index),
       ),
     );
     changeUnpressed(list, () => list.replaceChildren(...items.reverse()));

@@ -61,9 +61,14 @@ export function progressOf(engine: Engine, game: Game): Progress {
  * Replays the moves of `game`, so that `progressOf` has its progress: a long game takes longer than a
  * picture.
  *
+ * @param see Called after every move with its index.
  * @throws CaromError as `progressOf`.
  */
-export function* replayed(engine: Engine, game: Game): Slices<Progress> {
+export function* replayed(
+  engine: Engine,
+  game: Game,
+  see: (index: number, progress: Progress) => void = () => undefined,
+): Slices<Progress> {
   const { setup, moves } = game;
   const frame = begun(engine, setup);
   let progress: Progress = { frame, start: startOf(engine, setup, frame), steps: [], trace: null };
@@ -79,6 +84,7 @@ export function* replayed(engine: Engine, game: Game): Slices<Progress> {
       throw new PageError(t("link.move", { number: index + 1, why }), error.place);
     }
     if (before.trace !== progress.trace) before.trace?.free();
+    see(index, progress);
   }
   remember(game, progress);
   return progress;

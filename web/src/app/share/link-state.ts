@@ -55,6 +55,8 @@ const NOISE: readonly (keyof Noise)[] = [
   "cling_friction",
 ];
 
+const STRIKE = ["speed", "azimuth", "elevation", "side", "height"] as const;
+
 /** Kinds of calls, as the engine has them. */
 const CALLS: readonly unknown[] = ["pocket", "on", "safety", "push-out"];
 
@@ -195,12 +197,39 @@ function gameOf(data: unknown): Game | null {
       (clock === undefined || isWhole(clock, 5, 600)) &&
       (data.extended === undefined || isPair(data.extended, (used) => typeof used === "boolean")) &&
       (data.variations === undefined || isVariations(data.variations, data.moves.length)) &&
+      (data.notes === undefined || isNotes(data.notes)) &&
       (data.here === undefined || data.here === 0 || data.here === 1) &&
       (data.call === null || isCall(data.call)) &&
       data.moves.every(isMove);
     if (isSound) return data as unknown as Game;
   }
   throw new LinkError(t("link.game"));
+}
+
+/** Whether this is what a match has beside its game. The engine reads the intended shots. */
+function isNotes(notes: unknown): boolean {
+  if (!isRecord(notes) || !Array.isArray(notes.moves)) return false;
+  const { frame, end } = notes;
+  const isEnd = end === undefined || (isRecord(end) && isText(end.reason) && isText(end.why));
+  return isEnd && isWhole(frame, 0, Number.MAX_SAFE_INTEGER) && notes.moves.every(isNote);
+}
+
+function isNote(note: unknown): boolean {
+  if (!isRecord(note)) return false;
+  const { seat, index, play, chance, luck, refused, lost } = note;
+  const isStrike = (strike: unknown) =>
+    isRecord(strike) && STRIKE.every((key) => typeof strike[key] === "number");
+  const isPlay = isRecord(play) && isStrike(play.strike);
+  const isLuck =
+    Array.isArray(luck) && luck.length === 3 && luck.every((one) => typeof one === "number");
+  return (
+    (seat === 0 || seat === 1) &&
+    (index === undefined || isWhole(index, 0, MOST_MOVES)) &&
+    (play === undefined || (isPlay && (play.call === undefined || isCall(play.call)))) &&
+    (chance === undefined || typeof chance === "number") &&
+    (luck === undefined || isLuck) &&
+    [refused, lost].every((text) => text === undefined || isText(text))
+  );
 }
 
 function isRace(race: unknown): boolean {

@@ -1,11 +1,13 @@
 /** Opens files that are chosen or dropped on the page. */
 
-import type { Engine, FrameRecord } from "../../engine/index.ts";
+import type { FrameRecord } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, icon } from "../common/dom.ts";
 import { openTree } from "../analyse/tree-panel.ts";
 import { isTreeText } from "../document/tree-text.ts";
 import { gameOfRecord } from "../game/game-record.ts";
+import { isMatchText } from "../game/recorded/match-game.ts";
+import { openMatch } from "../game/recorded/match-list.ts";
 import { cannotOpen, readFile } from "../document/shot-file.ts";
 import type { Store } from "../document/store.ts";
 import { replay } from "../replay/replay-control.ts";
@@ -36,16 +38,17 @@ export async function openFile(file: File, store: Store, context: Context): Prom
     await openText(store, context, link);
     return;
   }
-  if (await open(store, context.engine, text))
-    context.announce(t("open.opened", { file: file.name }));
+  if (await open(store, context, text)) context.announce(t("open.opened", { file: file.name }));
 }
 
 /**
- * Opens a shot file or a trace, the record of a game, or the shots of an analysis. A refused file leaves
- * everything as it is.
+ * Opens a shot file or a trace, the record of a game or of a match, or the shots of an analysis. A refused
+ * file leaves everything as it is.
  */
-async function open(store: Store, engine: Engine, text: string): Promise<boolean> {
+async function open(store: Store, context: Context, text: string): Promise<boolean> {
+  const { engine } = context;
   try {
+    if (isMatchText(text)) return await openMatch(store, context, text);
     if (isTreeText(text)) return await openTree(store, engine, text);
     const record = recordIn(text);
     if (record) {
@@ -75,7 +78,7 @@ function recordIn(json: string): FrameRecord | null {
 export function openButton(store: Store, context: Context): HTMLElement {
   const input = h("input", {
     type: "file",
-    accept: ".json,.txt,application/json,text/plain",
+    accept: ".json,.jsonl,.txt,application/json,application/jsonl,text/plain",
     hidden: true,
     "aria-label": t("open.file"),
     id: "open-file",

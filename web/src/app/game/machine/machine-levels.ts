@@ -2,7 +2,7 @@
 
 import type { Engine, Noise, PlayerOptions } from "../../../engine/index.ts";
 import { named } from "../../words/translate.ts";
-import type { Game } from "../../document/stored-game.ts";
+import { type Game, seedOf } from "../../document/stored-game.ts";
 
 /** The levels, the weakest first. */
 export const LEVELS = ["level-1", "level-2", "level-3", "level-4", "level-5"] as const;
@@ -38,6 +38,6 @@ const MOVES = 10_000;
  * not know them. The same game gives the same decision.
  */
 export function thinking({ setup, moves }: Game, level: string): PlayerOptions {
-  const { seed = 0 } = setup.options;
+  const seed = seedOf(setup.options);
   return { name: level, seed: (seed % MOVES) * MOVES + moves.length + 1 };
 }

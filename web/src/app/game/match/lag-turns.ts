@@ -1,7 +1,7 @@
 /** The turns of a lag: who plays, with which errors, and when it is decided or played again. */
 
 import type { Engine, Noise, Seat } from "../../../engine/index.ts";
-import { machineOf, type Setup } from "../../document/stored-game.ts";
+import { machineOf, seedOf, type Setup } from "../../document/stored-game.ts";
 import { machineNoise } from "../machine/machine-levels.ts";
 import { type Lag, type LagErrors, type LagTable, lagWinner } from "./lag.ts";
 
@@ -50,7 +50,7 @@ export function lagErrors(
   player: Seat,
 ): LagErrors | null {
   const noise = noiseOf(engine, setup, player);
-  return noise && { noise, index: 2 * repeated + player, seed: setup.options.seed ?? 0 };
+  return noise && { noise, index: 2 * repeated + player, seed: seedOf(setup.options) };
 }
 
 function noiseOf(engine: Engine, setup: Setup, player: Seat): Noise | null {

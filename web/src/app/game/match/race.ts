@@ -7,6 +7,7 @@ import {
   type Pair,
   type Race,
   type Setup,
+  seedOf,
 } from "../../document/stored-game.ts";
 
 /** The most frames of a race. */
@@ -27,7 +28,7 @@ export function raceWinner(race: Race, winner: Seat | null): Seat | null {
  * end a new race begins. A frame without a winner is played again.
  */
 export function nextFrame({ setup, here }: Game, winner: Seat | null): Game {
-  const seed = (setup.options.seed ?? 0) + 1;
+  const seed = seedOf(setup.options) + 1;
   const next: Setup = { ...setup, from: null, options: { ...setup.options, seed } };
   const { race } = setup;
   if (!race || winner === null) return newGame(next, here);

@@ -54,7 +54,9 @@ class Costliest {
     const { game } = this.#store.document;
     const progress = standing(this.#store, this.#engine);
     const over = progress?.frame.state.request.kind === "over";
-    this.#root.hidden = !game || !over || isForOne(this.#engine, game.setup.rules);
+    // A frame of a match has the chances of its players, and no person who wants advice.
+    const isOne = game !== null && isForOne(this.#engine, game.setup.rules);
+    this.#root.hidden = !game || !over || isOne || game.notes !== undefined;
     if (this.#root.hidden || !game) this.#sought = null;
     else if (this.#store.session.mode === "aim" && this.#shown !== game.moves) void this.#find();
   }

@@ -34,7 +34,7 @@ export const texts: Translation<typeof en.share> = {
 
   "open.open": "Öffnen",
   "open.hint":
-    "Einen Stoß, eine Aufzeichnung, ein Spiel oder eine Analyse öffnen; Sie können die Datei auch auf die Seite ziehen",
+    "Einen Stoß, eine Aufzeichnung, ein Spiel, ein Match oder eine Analyse öffnen; Sie können die Datei auch auf die Seite ziehen",
   "open.file": "Stoßdatei oder Aufzeichnung",
   "open.drop": "Zum Öffnen ablegen",
   "open.opened": "{file} ist geöffnet.",

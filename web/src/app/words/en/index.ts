@@ -10,6 +10,7 @@ export { texts as physics } from "./physics.ts";
 export { texts as play } from "./play.ts";
 export { texts as pot } from "./pot.ts";
 export { texts as presets } from "./presets.ts";
+export { texts as recorded } from "./recorded.ts";
 export { texts as replay } from "./replay.ts";
 export { texts as share } from "./share.ts";
 export { texts as shot } from "./shot.ts";

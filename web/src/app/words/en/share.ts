@@ -29,7 +29,7 @@ export const texts = {
 
   "open.open": "Open",
   "open.hint":
-    "Open a shot, a trace, a game or an analysis; you can also drop the file on the page",
+    "Open a shot, a trace, a game, a match or an analysis; you can also drop the file on the page",
   "open.file": "Shot or trace file",
   "open.drop": "Drop to open",
   "open.opened": "{file} is open.",

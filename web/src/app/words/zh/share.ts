@@ -30,7 +30,7 @@ export const texts: Translation<typeof en.share> = {
   "share.not-allowed": "浏览器不允许本页面复制。文字已选中，请自行复制：",
 
   "open.open": "打开",
-  "open.hint": "打开击球、记录、比赛或分析；也可以把文件拖到页面上",
+  "open.hint": "打开击球、记录、比赛、对抗赛或分析；也可以把文件拖到页面上",
   "open.file": "击球文件或记录",
   "open.drop": "松开即可打开",
   "open.opened": "已打开 {file}。",

@@ -1,0 +1,35 @@
+import type * as en from "../en/index.ts";
+import type { Translation } from "../entry.ts";
+
+export const texts: Translation<typeof en.recorded> = {
+  "recorded.match": "对抗赛 {first} – {second}",
+  "recorded.finished": { other: "{game}，共 {count} 局。选择一局查看各次击球。" },
+  "recorded.goes-on": { other: "{game}，目前 {count} 局。对抗赛仍在进行。" },
+  "recorded.frame": "第 {number} 局",
+  "recorded.players": "{first} 对 {second}：",
+  "recorded.won": "{name} 获胜，{why}；",
+  "recorded.no-winner": "无胜者，{why}；",
+  "recorded.shots": { other: "{count} 次击球" },
+  "recorded.close": "关闭",
+  "recorded.frames": "对抗赛的各局",
+  "recorded.of-match": "对抗赛的第 {number} 局。",
+  "recorded.no-end": "本局仍在进行。",
+  "recorded.differs":
+    "第 {number} 次击球的结果与记录不同。记录由 {made} 生成，本页是 {own}：请用那个版本打开。",
+  "recorded.split": "{name} 的获胜概率：实线是决策，虚线是运气。点击一段可查看该次击球。",
+  "recorded.expected": "{name} 的获胜概率（双方自己的估计）。点击一段可查看该次击球。",
+  "recorded.curve": "{name} 的获胜概率，从 {from} % 到 {to} %",
+  "recorded.step-decision": "第 {number} 次击球，决策：{change} %，变为 {chance} %",
+  "recorded.step-luck": "第 {number} 次击球，运气：{change} %，变为 {chance} %",
+  "recorded.step-both": "第 {number} 次击球：{change} %，变为 {chance} %",
+  "recorded.intended": "意图",
+  "recorded.executed": "实际",
+  "recorded.azimuth": "方向 °",
+  "recorded.elevation": "仰角 °",
+  "recorded.side": "左右，皮头",
+  "recorded.height": "高低，皮头",
+  "recorded.chance": "自估获胜概率：{chance} %。",
+  "recorded.luck": "决策 {decision} %，运气 {luck} %。",
+  "recorded.refused": { other: "此前有 {count} 个回答被拒绝。" },
+  "change.open-frame": "打开对抗赛的一局",
+};
