@@ -1,0 +1,320 @@
+"""The page of a report: one HTML file with its tables, and with the games for carom's page."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+from collections.abc import Iterable, Sequence
+from html import escape
+from typing import Any
+
+from carom import page
+from carom.arena.report import Report, ReportMatch, ReportTable, Share
+from carom.errors import PageError
+
+# What the reasons of ends are called in the table of lost frames.
+_REASONS = {"won": "by the rules"}
+
+_STYLE = """
+:root { color-scheme: light dark; --line: #d4d8dd; --soft: #f3f5f7; --ink: #1b1f24; --dim: #5a636d;
+  --accent: #0b62c4; --ground: #fff; }
+@media (prefers-color-scheme: dark) { :root { --line: #3a424b; --soft: #20262d; --ink: #e8ebee;
+  --dim: #a2abb5; --accent: #7ab7ff; --ground: #14181c; } }
+* { box-sizing: border-box; }
+body { margin: 0 auto; max-width: 72rem; padding: 1rem; background: var(--ground);
+  color: var(--ink); font: 1rem/1.5 system-ui, sans-serif; }
+h1 { font-size: 1.6rem; margin: .5rem 0; } h2 { font-size: 1.25rem; margin: 2rem 0 .25rem; }
+h3 { font-size: 1rem; margin: 1.25rem 0 .25rem; }
+p { margin: .25rem 0 .5rem; } .dim { color: var(--dim); }
+a { color: var(--accent); }
+.wide { overflow-x: auto; } .wide:focus-visible { outline: 2px solid var(--accent); }
+table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
+caption { text-align: start; color: var(--dim); padding-bottom: .25rem; white-space: nowrap; }
+.wide { margin-top: 1rem; }
+th, td { padding: .25rem .6rem; border-bottom: 1px solid var(--line); text-align: end;
+  white-space: nowrap; }
+th { font-weight: 600; } th[scope="row"], .text { text-align: start; }
+thead th { border-bottom-width: 2px; vertical-align: bottom; }
+tbody tr:hover { background: var(--soft); }
+td.text.why { white-space: normal; min-width: 12rem; }
+.bar { display: block; width: 9rem; height: .6rem; margin-top: .15rem; }
+.bar rect { fill: var(--line); } .bar line { stroke: var(--accent); stroke-width: 3; }
+.bar circle { fill: var(--accent); }
+details > summary { cursor: pointer; padding: .35rem 0; }
+dialog { width: 100vw; height: 100vh; max-width: none; max-height: none; margin: 0; padding: 0;
+  border: 0; background: var(--ground); color: var(--ink); }
+dialog[open] { display: flex; flex-direction: column; }
+dialog p { display: flex; gap: 1rem; align-items: center; margin: 0; padding: .35rem .75rem; }
+dialog iframe { flex: 1; width: 100%; border: 0; }
+button { font: inherit; padding: .2rem .8rem; }
+@media print { body { max-width: none; padding: 0; } .wide { overflow: visible; }
+  a { color: inherit; text-decoration: none; } details:not([open]) { display: none; } }
+"""
+
+# Opens `#game-MATCH-FRAME`: unpacks the page, puts the header and the line of the frame into it,
+# and shows it in a frame of its own. "Back" of the browser and the button close it.
+_SCRIPT = """
+(() => {
+  const dialog = document.querySelector("dialog");
+  const texts = new Map();
+  const text = (id) => {
+    if (!texts.has(id)) {
+      const packed = Uint8Array.from(atob(document.getElementById(id).textContent.trim()),
+        (c) => c.charCodeAt(0));
+      const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+      texts.set(id, new Response(stream).text());
+    }
+    return texts.get(id);
+  };
+  const close = () => {
+    dialog.querySelector("iframe")?.remove();
+    if (dialog.open) dialog.close();
+  };
+  const show = async () => {
+    const [, match, frame] = /^#game-(\\d+)-(\\d+)$/.exec(location.hash) ?? [];
+    close();
+    if (match === undefined) return;
+    const [page, record] = await Promise.all([text("page"), text(`match-${match}`)]);
+    const lines = record.split("\\n");
+    const line = lines.slice(1).find((one) => JSON.parse(one).frame === Number(frame));
+    if (line === undefined) return;
+    const json = `${lines[0]}\\n${line}\\n`.replaceAll("<", "\\\\u003c");
+    const [before, after] = page.split(dialog.dataset.marker);
+    const inner = document.createElement("iframe");
+    inner.title = "carom";
+    inner.setAttribute("sandbox", "allow-scripts allow-downloads");
+    inner.allow = "fullscreen; clipboard-write";
+    inner.srcdoc = before + dialog.dataset.marker + json + after;
+    dialog.append(inner);
+    dialog.showModal();
+  };
+  dialog.querySelector("button").addEventListener("click", () => { location.hash = ""; });
+  dialog.addEventListener("cancel", (event) => { event.preventDefault(); location.hash = ""; });
+  addEventListener("hashchange", () => void show());
+  void show();
+})();
+"""
+
+
+def report_html(report: Report, *, title: str, games: bool = True) -> str:
+    """The page of a report. It needs neither a server nor a network.
+
+    Args:
+        report: The report.
+        title: Its heading.
+        games: Whether the page has the games, which takes some kilobytes a frame.
+    """
+    viewer = _viewer() if games else None
+    body = [
+        f"<h1>{escape(title)}</h1>",
+        f'<p class="dim">{_summary(report)}</p>',
+        *(part for table in report.tables for part in _table_parts(table)),
+        *_games(report, linked=viewer is not None),
+    ]
+    if viewer is not None:
+        body += _viewer_parts(report, viewer)
+    return "\n".join(
+        [
+            "<!doctype html>",
+            '<html lang="en">',
+            '<meta charset="utf-8">',
+            '<meta name="viewport" content="width=device-width, initial-scale=1">',
+            f"<title>{escape(title)} · carom</title>",
+            f"<style>{_STYLE}</style>",
+            "<body>",
+            *body,
+            "</body></html>\n",
+        ]
+    )
+
+
+def _viewer() -> str | None:
+    """Carom's page; None if this installation does not have it."""
+    try:
+        return page.html()
+    except PageError:
+        return None
+
+
+def _summary(report: Report) -> str:
+    matches, frames = len(report.matches), sum(len(match.frames) for match in report.matches)
+    state = "All matches have ended." if report.finished else "Some matches go on."
+    shown = f"{matches} {'match' if matches == 1 else 'matches'}"
+    return (
+        f"{shown}, {frames} frames. {state} Intervals have {100 * report.level:g} % confidence and "
+        "are computed from whole pairs."
+    )
+
+
+def _table_parts(table: ReportTable) -> Iterable[str]:
+    yield f"<h2>{escape(table.condition)}</h2>"
+    yield _players(table)
+    if len(table.rows) > 2:
+        yield _cross(table)
+    yield _costs(table)
+    yield _losses(table)
+
+
+def _players(table: ReportTable) -> str:
+    is_adjusted = any(row.adjusted for row in table.rows)
+    heads = ["player", "share of points", "interval", ""]
+    if is_adjusted:
+        heads += ["corrected for luck", "interval", ""]
+    heads += ["frames", "won", "drawn", "lost"]
+    rows = []
+    for row in table.rows:
+        frames = row.won + row.drawn + row.lost
+        cells = [_row_head(row.name), *_share_cells(row.share)]
+        if is_adjusted:
+            cells += _share_cells(row.adjusted)
+        cells += map(_cell, (frames, row.won, row.drawn, row.lost))
+        rows.append("".join(cells))
+    return _grid("Players", heads, rows)
+
+
+def _share_cells(share: Share | None) -> list[str]:
+    if share is None:
+        return [_cell("–"), _cell(""), _cell("")]
+    low, high = _percent(share.low), _percent(share.high)
+    return [
+        _cell(f"{_percent(share.value)} %"),
+        _cell(f"{low} to {high}"),
+        f"<td>{_bar(share)}</td>",
+    ]
+
+
+def _bar(share: Share) -> str:
+    """A picture of a share and its interval; the numbers stand beside it."""
+    low, value, high = (100 * min(max(end, 0.0), 1.0) for end in (share.low, share[0], share.high))
+    return (
+        '<svg class="bar" viewBox="0 0 100 10" preserveAspectRatio="none" aria-hidden="true">'
+        '<rect x="0" y="4.5" width="100" height="1"/><rect x="49.5" y="0" width="1" height="10"/>'
+        f'<line x1="{low:.1f}" x2="{high:.1f}" y1="5" y2="5"/>'
+        f'<circle cx="{value:.1f}" cy="5" r="3"/></svg>'
+    )
+
+
+def _cross(table: ReportTable) -> str:
+    names = [row.name for row in table.rows]
+    rows = []
+    for one in names:
+        cells = [_row_head(one)]
+        for other in names:
+            share = table.cross.get((one, other))
+            cells.append(_cell("" if share is None else f"{_percent(share.value)} %"))
+        rows.append("".join(cells))
+    return _grid(
+        "Share of the points of each player (row) against each other one", ["", *names], rows
+    )
+
+
+def _costs(table: ReportTable) -> str:
+    heads = ["player", "answers", "simulated shots an answer", "seconds an answer", "refused"]
+    rows = []
+    for row in table.rows:
+        costs = row.costs
+        answers = max(costs.decisions, 1)
+        seconds = f"{costs.seconds / answers:.3g}" if costs.seconds else "–"
+        simulations = f"{costs.simulations / answers:.0f}" if costs.simulations else "–"
+        rows.append(
+            _row_head(row.name)
+            + "".join(map(_cell, (costs.decisions, simulations, seconds, costs.refused)))
+        )
+    return _grid("Costs, and refused answers", heads, rows)
+
+
+def _losses(table: ReportTable) -> str:
+    reasons = sorted({reason for row in table.rows for reason in row.losses})
+    if not reasons:
+        return ""
+    heads = ["player", *(_REASONS.get(reason, reason) for reason in reasons), "not counted"]
+    rows = []
+    for row in table.rows:
+        counts = [*(row.losses[reason] for reason in reasons), row.void]
+        rows.append(_row_head(row.name) + "".join(_cell(count or "") for count in counts))
+    return _grid("Lost frames by the reason of their end", heads, rows)
+
+
+def _games(report: Report, *, linked: bool) -> Iterable[str]:
+    yield "<h2>Games</h2>"
+    if linked:
+        yield (
+            '<p class="dim">A frame opens in carom’s page: every shot as it was intended and '
+            "as it was executed, and the chances to win.</p>"
+        )
+    is_open = len(report.matches) == 1
+    for number, match in enumerate(report.matches):
+        yield _match(number, match, linked=linked, is_open=is_open)
+
+
+def _match(number: int, match: ReportMatch, *, linked: bool, is_open: bool) -> str:
+    heads = ["frame", "first", "second", "winner", "shots", "end"]
+    rows = []
+    for frame in match.frames:
+        label = f"frame {frame.number + 1}"
+        first = f'<a href="#game-{number}-{frame.number}">{label}</a>' if linked else label
+        names = (*frame.players, frame.winner or "–")
+        rows.append(
+            f'<th scope="row">{first}</th>'
+            + "".join(f'<td class="text">{escape(name)}</td>' for name in names)
+            + _cell(frame.shots)
+            + f'<td class="text why">{escape(frame.why)}</td>'
+        )
+    one, other = match.players
+    where = "" if match.folder == "." else f" · {match.folder}"
+    goes_on = "" if match.finished else ", goes on"
+    caption = f"{one} – {other}, {len(match.frames)} frames{goes_on}{where}"
+    attribute = " open" if is_open else ""
+    return (
+        f"<details{attribute}><summary>{escape(caption)}</summary>"
+        f"{_grid('', heads, rows, texts=(1, 2, 3, 5))}</details>"
+    )
+
+
+def _viewer_parts(report: Report, viewer: str) -> Iterable[str]:
+    yield (
+        f'<dialog aria-label="Game" data-marker="{escape(page.MARKER)}">'
+        '<p><button type="button">Back to the report</button></p></dialog>'
+    )
+    yield _packed("page", viewer)
+    for number, match in enumerate(report.matches):
+        lines = [match.header, *(frame.line for frame in match.frames)]
+        yield _packed(f"match-{number}", "\n".join(lines))
+    yield f"<script>{_SCRIPT}</script>"
+
+
+def _packed(name: str, text: str) -> str:
+    """A text as an element without effect: gzip, in Base64. Its bytes depend on the text alone."""
+    data = base64.b64encode(gzip.compress(text.encode(), mtime=0)).decode()
+    return f'<script type="text/plain" id="{name}">{data}</script>'
+
+
+def _grid(
+    caption: str, heads: Sequence[str], rows: Sequence[str], texts: Sequence[int] = ()
+) -> str:
+    """A table that scrolls on a narrow screen."""
+    columns = "".join(_head(head, is_text=k == 0 or k in texts) for k, head in enumerate(heads))
+    body = "".join(f"<tr>{row}</tr>" for row in rows)
+    title = f"<caption>{escape(caption)}</caption>" if caption else ""
+    label = escape(caption or "Frames")
+    return (
+        f'<div class="wide" role="region" aria-label="{label}" tabindex="0"><table>{title}'
+        f"<thead><tr>{columns}</tr></thead><tbody>{body}</tbody></table></div>"
+    )
+
+
+def _head(text: str, *, is_text: bool) -> str:
+    kind = ' class="text"' if is_text else ""
+    return f'<th scope="col"{kind}>{escape(text)}</th>' if text else "<td></td>"
+
+
+def _row_head(name: str) -> str:
+    return f'<th scope="row">{escape(name)}</th>'
+
+
+def _cell(value: Any) -> str:
+    return f"<td>{escape(str(value))}</td>"
+
+
+def _percent(share: float) -> str:
+    return f"{100 * share:.1f}"
