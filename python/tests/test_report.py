@@ -52,7 +52,7 @@ def test_a_report_counts_frames_costs_and_losses_by_reason(report: Report) -> No
     assert [match.folder for match in report.matches] == ["a", "deep/b"]
     rows = {row.name: row for table in report.tables for row in table.rows if row.name != "loser"}
     losers = [row for table in report.tables for row in table.rows if row.name == "loser"]
-    # Whoever is asked first loses its frame: in a pair each player once.
+    # The player of the first request loses the frame: in a pair each player once.
     assert (rows["<breaker> & co"].won, rows["<breaker> & co"].lost) == (2, 2)
     assert rows["<breaker> & co"].losses == {"crash": 2}
     assert sum(row.costs.refused for row in losers) == sum(row.losses["conceded"] for row in losers)

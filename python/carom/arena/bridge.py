@@ -29,7 +29,7 @@ PORT = 8738
 _TURN = 20.0
 # Seconds after which a wait looks for the end of the match and for Ctrl-C.
 _LOOK = 0.2
-# Seconds for which the end of the match waits until a client has been told that there is no shot.
+# Seconds for which the end of the match waits until `get_shot` has answered that there is no shot.
 _GOODBYE = 2.0
 # The number of the agent: a bridge has one.
 _AGENT = 1
@@ -179,7 +179,7 @@ class Bridge:
         given = GameShot(a, b, theta, phi, v, x, y, *map(int, shot[7:-1]))
         end = time.monotonic() + _TURN
         with self._changed:
-            # A refused shot is asked for again after a moment.
+            # The match requests a refused shot again after a moment.
             while not self._closed and time.monotonic() < end:
                 asked = self._asked.get(stateid)
                 if asked and asked.game == gameid and asked.shot is None:
@@ -191,7 +191,7 @@ class Bridge:
                 if asked is None and stateid != self._refused:
                     break
                 self._changed.wait(_LOOK)
-        raise Fault(1, f"no shot is asked for in state {stateid} of game {gameid}")
+        raise Fault(1, f"there is no request in state {stateid} of game {gameid}")
 
     _refused: int | None = None
 

@@ -500,9 +500,7 @@ def _share(pairs: Sequence[tuple[float, float | None]], level: float) -> Share |
 def _adjusted(pairs: Sequence[tuple[float, float | None]], level: float) -> Share | None:
     """The share corrected for luck, if the luck of every pair was measured."""
     measured = [(points / 2, luck / 2) for points, luck in pairs if luck is not None]
-    # An engine that does not measure luck may show the record of one that does.
-    correct = getattr(_core, "adjusted_share", None)
-    if correct is None or not measured or len(measured) < len(pairs):
+    if not measured or len(measured) < len(pairs):
         return None
-    found = correct(measured, level)
+    found = _core.adjusted_share(measured, level)
     return None if found is None else Share(found["share"], *found["share_interval"])

@@ -10,9 +10,9 @@ import typer
 
 import carom
 from carom.arena.bridge import PORT, Bridge
+from carom.arena.named_players import named_player
 from carom.cli.options import Json, NoiseName, named_noise
 from carom.cli.output import emit_answer, keep_sockets, say
-from carom.cli.players import named_player
 from carom.convert._fastfiz_game import TABLE
 
 

@@ -53,7 +53,10 @@ def report(
     """
     if out is None and tables is None and not json:
         raise InputError(
-            "missing", "--out", "nothing is asked for", "give -o FILE.html, --csv DIR or --json"
+            "missing",
+            "--out",
+            "there is nothing to write",
+            "give -o FILE.html, --csv DIR or --json",
         )
     if watch and out is None:
         raise InputError("missing", "--out", "--watch writes a page", "give -o FILE.html")

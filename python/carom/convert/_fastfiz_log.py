@@ -20,7 +20,7 @@ LOG_WORDS = (*_STATE_LINES, *_SHOT_LINES, *_OTHER_LINES)
 _STRIKE = 5
 # Where the line of a SHOT has the place of a cue ball in hand.
 _CUE_PLACE = 13
-# Values of TurnType: the cue ball is in hand, and a decision is asked for in place of a shot.
+# Values of TurnType: the cue ball is in hand, and the player decides in place of a shot.
 _IN_HAND, _DECISIONS = (1, 2, 4), (6, 7, 9)
 
 

@@ -54,7 +54,7 @@ class Costliest {
     const { game } = this.#store.document;
     const progress = standing(this.#store, this.#engine);
     const over = progress?.frame.state.request.kind === "over";
-    // A frame of a match has the chances of its players, and no person who wants advice.
+    // A frame of a match has the chances of its players in place of advice.
     const isOne = game !== null && isForOne(this.#engine, game.setup.rules);
     this.#root.hidden = !game || !over || isOne || game.notes !== undefined;
     if (this.#root.hidden || !game) this.#sought = null;
