@@ -18,7 +18,8 @@ import tempfile
 from collections import Counter
 from pathlib import Path
 
-GAMES = {"nine-ball": 6, "three-cushion": 40}
+#: Largest number of requests of a player in a frame.
+GAMES = {"nine-ball": 12, "three-cushion": 40}
 
 PROGRAM = """
 import json, sys
@@ -78,7 +79,7 @@ def instructions(game: str, most: int, folder: Path) -> tuple[Counter[str], int]
                 place = names[key]
         elif line.startswith("calls="):
             is_call = True
-        elif line[:1].isdigit() or line[:1] in "+-*":
+        elif line.startswith(tuple("+-*0123456789")):
             # The line after a call has the instructions of the called function.
             if not is_call:
                 counts[place] += int(line.split()[1])

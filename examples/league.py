@@ -67,7 +67,11 @@ def learn(weights: Array, rival: Array, generations: int, seed: int) -> Array:
     """The weights after some generations against an earlier snapshot."""
     rng, count = np.random.default_rng(seed), ENVIRONMENTS // 2
     rewards = carom.env.Rewards(win=1.0, pot=0.5, foul=-0.2)
-    play = {"rewards": rewards, "opponent": partial(act, rival), "seat": "alternate"}
+    play: dict[str, Any] = {
+        "rewards": rewards,
+        "opponent": partial(act, rival),
+        "seat": "alternate",
+    }
     start: dict[str, Any] = {"num_envs": ENVIRONMENTS, "balls": (2, 4), "noise": NOISE}
     envs: Any = gymnasium.make_vec("carom/NineBall-v3", **start, **play, **SETTINGS)
     for generation in range(generations):

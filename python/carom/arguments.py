@@ -70,6 +70,8 @@ def number(name: str, value: Any) -> float:
 
 def numbers(name: str, value: Any, count: int) -> tuple[float, ...]:
     """A sequence of ``count`` numbers, such as coordinates."""
+    if type(value) is tuple and len(value) == count:
+        return tuple([number(name, item) for item in value])
     items = list(value) if isinstance(value, Iterable) and not isinstance(value, str) else []
     if len(items) != count:
         raise InputError(
@@ -178,6 +180,9 @@ def _level_of_user() -> int:
 
 def text(name: str, value: Any, such_as: str = "") -> str:
     """A string in valid Unicode; ``such_as`` is an example for the error message."""
+    if type(value) is str and value.isascii():
+        # The usual case.
+        return value
     if not isinstance(value, str):
         remedy = f"write a text{such_as and f', such as {such_as}'}"
         raise InputError("wrong-type", name, f"{_shown(value)} is not a text", remedy)
