@@ -29,12 +29,12 @@ from carom.arena import MatchPlan, play_pair
 game, most = sys.argv[1], int(sys.argv[2])
 count = 0
 
+FREE = [carom.Play(carom.Strike(3.0, 0.064 * k)) for k in range(97)]
+STRIKES = [carom.Strike(5.0, 1.5 + 0.01 * k) for k in range(9)]
+HAND = [carom.Play(strike, cue_ball=(0.5, 0.3)) for strike in STRIKES]
+
 class Prepared:
-    def __init__(self):
-        free = [carom.Play(carom.Strike(3.0, 0.37 * k)) for k in range(97)]
-        strikes = [carom.Strike(5.0, 1.5 + 0.01 * k) for k in range(9)]
-        hand = [carom.Play(strike, cue_ball=(0.6, 0.5)) for strike in strikes]
-        self.free, self.hand, self.asked = free, hand, 0
+    asked = 0
 
     def choose(self, situation):
         global count
@@ -47,7 +47,7 @@ class Prepared:
             return request.choices[0]
         if situation.refused is not None:
             return "concede"
-        plays = self.hand if request.in_hand else self.free
+        plays = HAND if request.in_hand else FREE
         return plays[self.asked % len(plays)]
 
 plan = MatchPlan(Prepared, Prepared, game=game, secret="ab" * 32, simulations=1)
