@@ -1,7 +1,7 @@
 """Heavy libraries, loaded at their first use, so that ``import carom`` stays fast.
 
 The rule of the package: a module imports carom's modules and the standard library at its top.
-NumPy and pyarrow come from here, Ray from ``carom.sweeps.on_ray``. Three parts load heavy libraries
+NumPy and pyarrow come from here, Ray from ``carom.cluster``. Three parts load heavy libraries
 at their top, so other modules import them inside the function that uses them: ``carom.picture``
 (Matplotlib), ``carom.env`` (Gymnasium) and ``carom.serve`` (an HTTP server).
 """

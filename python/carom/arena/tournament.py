@@ -10,6 +10,7 @@ from carom.arena import tournament_file
 from carom.arena.contestants import Contestant, contestant
 from carom.arena.named_players import named_player
 from carom.arena.tournament_folder import Block, TournamentFolder
+from carom.arena.tournament_on_ray import play_on_ray
 from carom.arena.tournament_result import TournamentResult
 from carom.arena.tournament_run import Worker, play_here
 from carom.arguments import cores
@@ -74,6 +75,7 @@ class Tournament:
         out: str | os.PathLike[str],
         *,
         threads: int | None = None,
+        ray: bool | str = False,
         progress: bool = False,
     ) -> TournamentResult:
         """Play what is missing in the folder of the tournament.
@@ -85,6 +87,8 @@ class Tournament:
         Args:
             out: The folder.
             threads: Number of matches that are played at once; None is one per core.
+            ray: True plays on Ray, started on this machine with ``threads`` cores; a text is the
+                address of a Ray cluster, such as ``"auto"`` (``pip install 'carom[ray]'``).
             progress: Show a progress bar on stderr.
 
         Raises:
@@ -106,7 +110,10 @@ class Tournament:
                     break
                 total = sum(block.pairs for block in missing)
                 with progress_bar(total, show=progress, what="pairs") as advance:
-                    play_here(worker, _in_turn(missing), workers, advance)
+                    if ray is False:
+                        play_here(worker, _in_turn(missing), workers, advance)
+                    else:
+                        play_on_ray(worker, _in_turn(missing), ray, workers, advance)
             result = TournamentResult.read(folder)
         return result.played_now(before)
 

@@ -11,6 +11,7 @@ from typing import Any
 
 from carom import _core
 from carom.arena.match import play_match
+from carom.arena.plan import MatchPlan
 from carom.arena.tournament_folder import Block, secret_of
 from carom.errors import InputError
 from carom.files import shown
@@ -36,6 +37,18 @@ class Worker:
     root: Path
     contestants: Mapping[str, Any]
     secret: str | None
+
+    def plan(self, block: Block) -> MatchPlan:
+        """The match of a block."""
+        one, other = (self.contestants[name] for name in block.encounter.players)
+        return MatchPlan(
+            one,
+            other,
+            pairs=block.pairs,
+            test=block.encounter.event.shares,
+            secret=None if self.secret is None else secret_of(self.secret, self.root, block),
+            **block.encounter.condition.arguments(),
+        )
 
     def play(self, block: Block, threads: int, report: Callable[[int, int], object]) -> None:
         """Play a block to its end, or continue it.

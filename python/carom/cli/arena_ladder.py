@@ -26,4 +26,4 @@ def ladder(
     All players play eight-ball, and three players each other game, at three noises. After a stop
     the same command continues.
     """
-    arena_run.run(LADDER, out, threads, json)
+    arena_run.run(LADDER, out, threads, json=json)

@@ -10,7 +10,7 @@ import typer
 
 import carom
 from carom.cli.options import Json
-from carom.cli.output import emit_answer, say
+from carom.cli.output import emit_answer, keep_sockets, say
 
 
 def run(
@@ -26,6 +26,17 @@ def run(
     threads: Annotated[
         int | None, typer.Option(min=1, help="Matches at once; default: one per core.")
     ] = None,
+    ray: Annotated[
+        bool, typer.Option("--ray", help="Play on Ray, started on this machine.")
+    ] = False,
+    address: Annotated[
+        str | None,
+        typer.Option(
+            "--address",
+            metavar="ADDRESS",
+            help="Play on this Ray cluster; auto is the cluster of this machine.",
+        ),
+    ] = None,
     json: Json = False,
 ) -> None:
     """Play the matches of a tournament that its folder does not have yet.
@@ -33,11 +44,14 @@ def run(
     After a stop the same command continues. After a change of FILE, such as a further player, it
     plays what is missing.
     """
+    if address or ray:
+        keep_sockets()
     tournament = carom.arena.Tournament.load(file)
     try:
         result = tournament.run(
             file.with_suffix("") if out is None else out,
             threads=threads,
+            ray=address or ray,
             progress=sys.stderr.isatty(),
         )
     except KeyboardInterrupt:
