@@ -19,6 +19,8 @@ const BYTES: usize = 32;
 
 /// The label of the generator of the seeds of decisions, in its key behind the seat's own seed.
 const DECISION_KEY: &[u8; 24] = b"carom: seed of decisions";
+/// The same for the seeds of the racks after the first.
+const RACK_KEY: &[u8; 24] = b"carom: seed of next rack";
 
 /// The same of the seeds of fresh errors.
 const LUCK_KEY: &[u8; 24] = b"carom: luck of the shots";
@@ -90,6 +92,7 @@ impl Secret {
             sight: [word(), word()],
             decisions: [word(), word()],
             luck: [word(), word()],
+            later: word(),
         }
     }
 }
@@ -104,7 +107,7 @@ impl fmt::Debug for Secret {
 /// The seeds of the two frames of a pair.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PairSeeds {
-    /// Of the rack, and of the racks after it.
+    /// Of the first rack.
     pub rack: u64,
     /// Of the errors of the strikes, for each seat. The index is the number of the seat's own shots
     /// before.
@@ -117,6 +120,8 @@ pub struct PairSeeds {
     /// Of the fresh errors by which the luck of shots is measured, for each seat. The index is the
     /// number of the seat's own shots before.
     pub luck: [u64; 2],
+    /// Of the racks after the first, and of lots. The index is the number of the move.
+    pub later: u64,
 }
 
 impl PairSeeds {
@@ -129,6 +134,7 @@ impl PairSeeds {
             sight: [self.sight[1], self.sight[0]],
             decisions: [self.decisions[1], self.decisions[0]],
             luck: [self.luck[1], self.luck[0]],
+            later: self.later,
         }
     }
 
@@ -140,6 +146,11 @@ impl PairSeeds {
     /// The seed of the fresh errors of shot number `index` of `seat`.
     pub(crate) fn fresh_errors(&self, seat: usize, index: u64) -> u64 {
         derived(self.luck[seat], LUCK_KEY, index)
+    }
+
+    /// The seed of the racks and lots that follow from move number `index`.
+    pub(crate) fn later_rack(&self, index: u64) -> u64 {
+        derived(self.later, RACK_KEY, index)
     }
 }
 
@@ -230,9 +241,10 @@ mod tests {
             for pair in 0..100 {
                 let seeds = Secret::new(bytes).pair_seeds(pair);
                 let of_seats = [seeds.errors, seeds.sight, seeds.decisions, seeds.luck];
-                for seed in of_seats.into_iter().flatten().chain([seeds.rack]) {
+                for seed in of_seats.into_iter().flatten().chain([seeds.rack, seeds.later]) {
                     assert!(seen.insert(seed));
                 }
+                assert!((0..3).all(|index| seen.insert(seeds.later_rack(index))));
                 for (seat, index) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
                     assert!(seen.insert(seeds.decision(seat, index)));
                     assert!(seen.insert(seeds.fresh_errors(seat, index)));

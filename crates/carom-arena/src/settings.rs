@@ -284,8 +284,14 @@ mod tests {
 
     #[test]
     fn the_players_exchange_the_seats_or_the_streams() {
-        let seeds =
-            PairSeeds { rack: 1, errors: [2, 3], sight: [4, 5], decisions: [6, 7], luck: [8, 9] };
+        let seeds = PairSeeds {
+            rack: 1,
+            errors: [2, 3],
+            sight: [4, 5],
+            decisions: [6, 7],
+            luck: [8, 9],
+            later: 10,
+        };
         let alternate = made(MatchSettings::new(Game::NineBall)).unwrap();
         assert_eq!([alternate.seats(4), alternate.seats(5)], [[0, 1], [1, 0]]);
         assert_eq!([alternate.seeds(4, seeds), alternate.seeds(5, seeds)], [seeds; 2]);

@@ -443,6 +443,7 @@ impl ArenaFrame {
         let executed = prepared.with_strike(&through_degrees(&strike))?;
         let played = Play { strike: through_degrees(&strike), ..*play };
         self.seats[seat].shots += 1;
+        self.reseed();
         let result = simulator.simulator_mut().record(&executed).and_then(|trace| {
             let (ruling, ..) = self.frame.play_displaced(simulator, &played, &executed)?;
             Ok((trace.hash(), ruling))
@@ -472,7 +473,15 @@ impl ArenaFrame {
         luck.map(|settings| LuckMeter { settings, noise: of_seats() })
     }
 
+    /// Gives the racks and lots that follow from the next move a seed that does not follow from what
+    /// the players have seen. The seed of a rack could be computed from its balls: PCG64, which places
+    /// them, is no cipher.
+    fn reseed(&mut self) {
+        self.frame.reseed(self.seeds.later_rack(self.moves.len() as u64));
+    }
+
     fn choose(&mut self, choice: Choice) -> Effect {
+        self.reseed();
         match self.frame.choose(choice) {
             Ok(ruling) => {
                 self.racked = ruling.racked;
