@@ -90,9 +90,12 @@ _Strike = tuple[float, float, float | None, float, float]
 # Called with the number of the stage, the items done in it, and the number of its items.
 _Report = Callable[[int, int, int], object]
 
-# A player of a match: the name of a built-in one; or name, class, and the function that begins
-# a frame.
-_Entrant = str | tuple[str, str, Callable[[int, int], Callable[..., Any]]]
+# An external program: its name, the executable of Python, the file of this module, the log, files
+# that it must not read, and whether everything must be enforced.
+_Program = tuple[str, str, str, Callable[[str], None], Sequence[PathLike[str]], bool]
+# A player of a match: the name of a built-in one; name, class, and the function that begins a
+# frame; or a program.
+_Entrant = str | tuple[str, str, Callable[[int, int], Callable[..., Any]]] | _Program
 
 @final
 class Frame:
@@ -409,6 +412,7 @@ def test_state(
 ) -> dict[str, Any]: ...
 def adjusted_share(pairs: list[tuple[float, float]], level: float) -> dict[str, Any]: ...
 def pair_interval(counts: list[int], level: float) -> tuple[float, float]: ...
+def supervise() -> None: ...
 def replay_match(
     text: str, luck: int | None, level: float, threads: int, report: _Report
 ) -> dict[str, Any]: ...

@@ -169,11 +169,7 @@ impl BuiltInPlayer {
         if fields.is_empty() {
             return self.name.into();
         }
-        let texts = fields.iter().map(|(key, value)| match value {
-            Node::Text(text) => format!("{key}={text}"),
-            value => format!("{key}={}", value.to_json_line()),
-        });
-        format!("{}[{}]", self.name, texts.collect::<Vec<_>>().join(","))
+        format!("{}{}", self.name, written_settings(&self.settings))
     }
 
     fn has_settings(&self) -> bool {
@@ -198,8 +194,18 @@ impl BuiltInPlayer {
     }
 }
 
+/// The settings as they stand behind a name, `[KEY=VALUE,...]`.
+pub(crate) fn written_settings(settings: &Node) -> String {
+    let Node::Object(fields) = settings else { return String::new() };
+    let texts = fields.iter().map(|(key, value)| match value {
+        Node::Text(text) => format!("{key}={text}"),
+        value => format!("{key}={}", value.to_json_line()),
+    });
+    format!("[{}]", texts.collect::<Vec<_>>().join(","))
+}
+
 /// The settings `KEY=VALUE,...]`: a value is a number, `true`, `false`, or a word.
-fn read_settings(text: &str) -> Result<Node, Error> {
+pub(crate) fn read_settings(text: &str) -> Result<Node, Error> {
     let refuse = |kind: ErrorKind, what: String| {
         kind.at("player", what, "write settings as in carom[shift=false,finalists=4]:2000")
     };

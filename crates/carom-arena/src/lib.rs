@@ -85,8 +85,9 @@ pub use open_match::{MatchReport, OpenMatch};
 pub use pair::{MatchPlan, PlayedPair, play_frame, play_pair};
 #[cfg(all(feature = "programs", target_os = "linux"))]
 pub use program::{
-    Confinement, ErrorLog, MOST_PENDING_LINES, ProgramChannel, ProgramCommand, ProgramLimits,
-    ProgramOrder, StopCheck, SupervisorCommand, supervise,
+    Confinement, ErrorLog, LogKeeper, MOST_PENDING_LINES, ProgramChannel, ProgramCommand,
+    ProgramLimits, ProgramOrder, ProgramPlayer, ProgramSite, StopCheck, SupervisorCommand,
+    supervise,
 };
 pub use protocol::{
     ARENA_SCHEMA, ChannelFault, Greeting, LONGEST_LINE, LineChannel, PROTOCOL, ProtocolPlayer,

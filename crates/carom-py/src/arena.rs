@@ -22,6 +22,7 @@ use crate::exceptions::CaromError;
 use crate::match_player::{Entrant, EntrantArguments, Raised};
 use crate::node::{from_python, to_python};
 use crate::options::count;
+use crate::program::program_entry;
 use crate::progress::{self, Watch};
 
 /// The score of player 0; a dict in Python. Intervals: (low, high).
@@ -192,8 +193,9 @@ pub(crate) fn play_match(
     check_level(level).map_err(raise)?;
     let setup = Setup::read(players, agreed, secret)?;
     let runner = Runner::new(count(threads)).map_err(raise)?;
-    let make = |index: usize| setup.entrants[index].make();
     let played = setup.run(&report, &interrupt, threads, |progress| {
+        let is_stopped = || progress.is_stopped();
+        let make = |index: usize| setup.entrants[index].make(&is_stopped);
         carom_arena::play_match(&setup.plan, &folder, &make, &runner, progress)
     })?;
     Ok(MatchFields::new(played, level))
@@ -212,8 +214,9 @@ pub(crate) fn play_pair(
 ) -> PyResult<[String; 2]> {
     let secret = Secret::parse(secret).map_err(|error| to_exception(py, &error))?;
     let setup = Setup::read(players, agreed, None)?;
-    let make = |index: usize| setup.entrants[index].make();
     let played = setup.run(&report, &interrupt, 1, |progress| {
+        let is_stopped = || progress.is_stopped();
+        let make = |index: usize| setup.entrants[index].make(&is_stopped);
         let simulator = &mut FrameSimulator::new();
         let (plan, make) = (&setup.plan, &make);
         Ok(carom_arena::play_pair(plan, &secret, number, make, simulator, progress)?)
@@ -341,11 +344,14 @@ pub(crate) fn replay_match<'py>(
     })
 }
 
-/// A built-in player as the header of a record has it.
+/// A built-in player, or a program, as the header of a record has it.
 #[pyfunction]
 pub(crate) fn player_entry<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-    let player = BuiltInPlayer::read(name).map_err(|error| to_exception(py, &error))?;
-    let PlayerEntry { name, settings } = player.entry();
+    let entry = match program_entry(name) {
+        Some(entry) => entry,
+        None => BuiltInPlayer::read(name).map(|player| player.entry()),
+    };
+    let PlayerEntry { name, settings } = entry.map_err(|error| to_exception(py, &error))?;
     to_python(py, &Node::object([("name", name.into()), ("settings", settings)]))
 }
 

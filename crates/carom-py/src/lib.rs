@@ -12,6 +12,7 @@ mod node;
 mod options;
 mod plan;
 mod player;
+mod program;
 mod progress;
 mod reference;
 mod rolling;
@@ -50,6 +51,8 @@ mod _core {
     use crate::plan::{evaluate, solve, stages, wilson};
     #[pymodule_export]
     use crate::player::{Player, players};
+    #[pymodule_export]
+    use crate::program::supervise;
     #[pymodule_export]
     use crate::reference::{
         break_presets, break_shot, default_options, error_kinds, game_facts, physics, repaired,

@@ -1,23 +1,28 @@
-//! The players of a match: built-in ones, and objects in Python that are asked through a function.
+//! The players of a match: built-in ones, external programs, and objects in Python that are asked
+//! through a function.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
 use carom::ErrorKind;
 use carom::error::{Error, InputError};
 use carom::format::Node;
-use carom_arena::{Ask, BuiltInPlayer, ClockUnit, EndReason, MatchPlayer, PlayerEntry, Response};
+use carom_arena::{
+    ArenaFrame, Ask, BuiltInPlayer, ClockUnit, EndReason, MatchPlayer, PlayerEntry, Response,
+};
 use carom_mind::{Budget, Decision, Player, Spent};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
+use crate::program::{Program, ProgramArguments};
 use crate::rules::{AnswerArguments, Frame};
 
-/// A player of a match: the name of a built-in one; or name, class, and the function that begins a
-/// frame. That function returns the one that is asked, see [`Outside::said`].
+/// A player of a match: the name of a built-in one; name, class, and the function that begins a frame,
+/// which returns the one that is asked, see [`Outside::said`]; or the arguments of [`program::Program`].
 #[derive(FromPyObject)]
 pub(crate) enum EntrantArguments {
     BuiltIn(String),
     Outside(String, String, Py<PyAny>),
+    Program(ProgramArguments),
 }
 
 /// The first exception that ends a match.
@@ -38,6 +43,7 @@ impl Raised {
 pub(crate) enum Entrant {
     BuiltIn(BuiltInPlayer),
     Outside { entry: PlayerEntry, begin: Arc<Py<PyAny>>, raised: Raised },
+    Program(Box<Program>),
 }
 
 impl Entrant {
@@ -49,6 +55,7 @@ impl Entrant {
                 let entry = PlayerEntry { name, settings };
                 Self::Outside { entry, begin: begin.into(), raised: raised.clone() }
             }
+            EntrantArguments::Program(arguments) => Self::Program(Program::read(arguments)?.into()),
         })
     }
 
@@ -61,34 +68,58 @@ impl Entrant {
         let PlayerEntry { name, settings } = match self {
             Self::BuiltIn(player) => player.entry(),
             Self::Outside { entry, .. } => entry.clone(),
+            Self::Program(program) => program.entry(),
         };
         Node::object([("name", name.into()), ("settings", settings)])
     }
 
-    /// The player for one frame.
-    pub(crate) fn make(&self) -> Result<Seated, Error> {
+    /// The player for one frame. `is_stopped` says whether the match was stopped.
+    pub(crate) fn make<'s>(
+        &'s self,
+        is_stopped: &'s (dyn Fn() -> bool + Sync),
+    ) -> Result<Seated<'s>, Error> {
         Ok(match self {
             Self::BuiltIn(player) => Seated::BuiltIn(player.make()?),
             Self::Outside { begin, raised, .. } => {
                 let (begin, raised) = (Arc::clone(begin), raised.clone());
                 Seated::Outside(Outside { begin, ask: None, raised })
             }
+            Self::Program(program) => Seated::Program(program.player(is_stopped)),
         })
     }
 }
 
 /// A player in a frame.
-pub(crate) enum Seated {
+pub(crate) enum Seated<'s> {
     BuiltIn(Box<dyn Player>),
     Outside(Outside),
+    Program(Box<dyn MatchPlayer + 's>),
 }
 
-impl MatchPlayer for Seated {
-    fn respond(&mut self, ask: &Ask<'_>, budget: &Budget<'_>) -> Response {
+impl Seated<'_> {
+    fn as_player(&mut self) -> &mut dyn MatchPlayer {
         match self {
-            Self::BuiltIn(player) => player.respond(ask, budget),
-            Self::Outside(player) => player.respond(ask, budget),
+            Self::BuiltIn(player) => player,
+            Self::Outside(player) => player,
+            Self::Program(player) => &mut **player,
         }
+    }
+}
+
+impl MatchPlayer for Seated<'_> {
+    fn respond(&mut self, ask: &Ask<'_>, budget: &Budget<'_>) -> Response {
+        self.as_player().respond(ask, budget)
+    }
+
+    fn seconds(&self) -> Option<f64> {
+        match self {
+            Self::BuiltIn(_) | Self::Outside(_) => None,
+            Self::Program(player) => player.seconds(),
+        }
+    }
+
+    fn frame_over(&mut self, frame: &ArenaFrame) {
+        self.as_player().frame_over(frame);
     }
 }
 

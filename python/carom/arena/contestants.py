@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import copy
 import signal
+import sys
 import threading
 import traceback
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from functools import partial
+from pathlib import Path
 from types import FrameType
 from typing import Any
 
@@ -39,6 +41,7 @@ class Contestant:
         simulations: Simulated shots of a decision that the name of a built-in player gives.
         make: Makes a player of one's own, for every frame; None for a built-in player.
         kind: The class of a player of one's own, for the record.
+        program: The name that starts an external program.
     """
 
     name: str
@@ -46,6 +49,7 @@ class Contestant:
     simulations: int | None = None
     make: Callable[[], Any] | None = None
     kind: str = ""
+    program: str | None = None
 
 
 def contestant(argument: str, value: Any) -> Contestant:
@@ -63,7 +67,7 @@ def contestant(argument: str, value: Any) -> Contestant:
     if isinstance(value, Contestant):
         return value
     if isinstance(value, str):
-        return _built_in(argument, value)
+        return _program(argument, value) if is_program(value) else _built_in(argument, value)
     if isinstance(value, type):
         _check_method(argument, value)
         return Contestant(_name(argument, value, value), make=value, kind=value.__name__)
@@ -87,6 +91,18 @@ def contestant(argument: str, value: Any) -> Contestant:
         'give the name of a player, such as "level-3", or an object with a method '
         "choose(situation)",
     )
+
+
+def is_program(name: str) -> bool:
+    """Whether a player's name is that of an external program."""
+    return name.startswith(("exec:", "exec["))
+
+
+def _program(argument: str, value: str) -> Contestant:
+    try:
+        return Contestant(_core.player_entry(value)["name"], program=value)
+    except InputError as error:
+        raise error.at(argument + error.place.removeprefix("player")) from None
 
 
 def _built_in(argument: str, value: str) -> Contestant:
@@ -167,6 +183,20 @@ class Asking:
     busy: set[int] = field(default_factory=set)
     interrupted: bool = False
     lock: threading.Lock = field(default_factory=threading.Lock)
+
+    def program(self, name: str, hidden: Sequence[Path]) -> tuple[Any, ...]:
+        """An external program in the form that Rust reads.
+
+        Args:
+            name: Its name as a player.
+            hidden: Files that it must not read.
+        """
+        files = (sys.executable, _core.__file__)
+        return name, *files, self._locked_log, list(hidden), self.strict
+
+    def _locked_log(self, text: str) -> None:
+        with self.lock:
+            self.log(text)
 
     def beginning(
         self,

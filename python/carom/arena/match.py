@@ -71,7 +71,8 @@ def play_match(
             which every frame gets a copy by ``copy.deepcopy``; or a class or function without
             arguments, which is called for every frame. Its name is its attribute ``name``, or that
             of its class. An exception loses the frame; its traceback is in ``errors.log`` in
-            ``out``.
+            ``out``. An external program is ``exec:COMMAND``, such as ``exec:python3 mine.py``; it
+            is started for every frame.
         other: The second player, likewise.
         out: The folder of the match.
         game: The game, as for ``Frame``.
@@ -113,7 +114,8 @@ def play_match(
             their classes stand at the top of a module or of the program, and a program that is a
             file has its call under ``if __name__ == "__main__":``.
         strict: Whether an exception of a player of one's own stops the match, and is raised. Pairs
-            that had ended are kept.
+            that had ended are kept. With it no external program is started unless its network,
+            processes and files can be closed off.
         progress: Show a progress bar on stderr; or a function that is called with the number of
             pairs played and of all pairs now and then. Its exception stops the match.
 
@@ -165,7 +167,7 @@ def play_match(
         asking = Asking(log_to(folder), plan.strict)
         with asking.watching() if plan.asks else nullcontext():
             fields = _core.play_match(
-                plan.entrants(asking),
+                plan.in_folder(folder).entrants(asking),
                 plan.agreed,
                 plan.secret,
                 folder,

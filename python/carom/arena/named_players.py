@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from carom.arena.contestants import is_program
 from carom.arena.player_files import load_file
 from carom.errors import InputError
 from carom.files import shown
@@ -18,16 +19,19 @@ def named_player(argument: str, word: str, folder: Path = Path()) -> Any:
 
     Args:
         argument: The name of the argument, for the error message.
+        word: The name of a built-in player or of a program; or ``FILE.py:NAME``, where NAME is a
+            class with a method ``choose``, a function without arguments that makes a player, or a
+            player.
         folder: The folder to which FILE.py is relative.
-        word: The name of a built-in player; or ``FILE.py:NAME``, where NAME is a class with a
-            method ``choose``, a function without arguments that makes a player, or a player.
 
     Returns:
-        The name of a built-in player, or what the file has under NAME.
+        The name of a built-in player or a program, or what the file has under NAME.
 
     Raises:
         InputError: There is no such file, it does not run, or it has no such name.
     """
+    if is_program(word):
+        return word
     if word.endswith(".py"):
         raise InputError(
             "missing", argument, f"{word} names no class", f"write {word}:NAME, such as {word}:Mine"

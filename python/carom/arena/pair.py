@@ -98,6 +98,7 @@ class OpenMatch:
 
     def __init__(self, plan: MatchPlan, folder: str | os.PathLike[str]) -> None:
         self.folder = checked_path("folder", folder, "match")
+        plan = plan.in_folder(self.folder)
         entrants = plan.entrants(Asking(log_to(self.folder), plan.strict))
         core = _core.OpenMatch(entrants, plan.agreed, plan.secret, self.folder)
         self._core: _core.OpenMatch | None = core

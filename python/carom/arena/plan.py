@@ -114,6 +114,8 @@ class MatchPlan:
         }
         self.secret = None if secret is None else text("secret", secret, "64 hexadecimal digits")
         self.strict = truth("strict", strict)
+        #: Files that external programs must not read.
+        self.hidden: tuple[Path, ...] = ()
         self._told = [_told(player, disclosure, noises, sights) for player in (0, 1)]
 
     @property
@@ -129,8 +131,15 @@ class MatchPlan:
 
     def with_secret(self, secret: str) -> Self:
         """The same plan with this secret."""
+        return self._with(secret=secret)
+
+    def in_folder(self, folder: Path) -> Self:
+        """The same plan, whose external programs must not read the secret in this folder."""
+        return self._with(hidden=(folder.resolve() / "secret",))
+
+    def _with(self, **changed: Any) -> Self:
         plan = object.__new__(type(self))
-        plan.__dict__.update(self.__dict__, secret=secret)
+        plan.__dict__.update(self.__dict__, **changed)
         return plan
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -139,12 +148,15 @@ class MatchPlan:
 
     def entrants(self, asking: Asking) -> list[Any]:
         """The players in the form that Rust reads."""
-        return [
-            player.name
-            if player.make is None
-            else (player.name, player.kind, asking.beginning(player, *told))
-            for player, told in zip(self.players, self._told, strict=True)
-        ]
+
+        def entrant(player: Contestant, told: tuple[Any, Any]) -> Any:
+            if player.program is not None:
+                return asking.program(player.program, self.hidden)
+            if player.make is None:
+                return player.name
+            return player.name, player.kind, asking.beginning(player, *told)
+
+        return list(map(entrant, self.players, self._told))
 
 
 def _restored(files: Mapping[str, Path], state: bytes) -> MatchPlan:

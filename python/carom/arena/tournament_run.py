@@ -79,7 +79,7 @@ class Worker:
             InputError: With the name of the player.
         """
         entries = {
-            name: _core.player_entry(player.name) if player.make is None else None
+            name: None if player.make else _core.player_entry(player.program or player.name)
             for name, player in self.contestants.items()
         }
         for block in blocks:

@@ -30,8 +30,8 @@ def match(
         str | None,
         typer.Argument(
             metavar="[A]",
-            help="The first player: a name, such as carom or carom:2000, or a file and a class of "
-            "your own in it, such as mine.py:Mine.",
+            help="The first player: a name, such as carom or carom:2000; a file and a class of "
+            "your own in it, such as mine.py:Mine; or a program, such as 'exec:python3 mine.py'.",
         ),
     ] = None,
     other: Annotated[str | None, typer.Argument(metavar="[B]", help="The second player.")] = None,
@@ -126,7 +126,12 @@ def match(
         ),
     ] = None,
     strict: Annotated[
-        bool, typer.Option("--strict", help="Stop at the first exception of a player of your own.")
+        bool,
+        typer.Option(
+            "--strict",
+            help="Stop at the first exception of a player of your own, and start no program that "
+            "cannot be confined.",
+        ),
     ] = False,
     replay: Annotated[
         str | None,

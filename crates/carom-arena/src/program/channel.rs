@@ -36,6 +36,9 @@ const SUPERVISOR_PATIENCE: Duration = Duration::from_secs(30);
 /// Whether the match was stopped. It is asked many times a second while a program is waited for.
 pub type StopCheck<'s> = &'s (dyn Fn() -> bool + Sync);
 
+/// What is called with the log of a program at its end.
+pub type LogKeeper<'s> = Box<dyn FnOnce(&ErrorLog) + Send + 's>;
+
 /// How to start a supervisor: an executable whose main function is [`crate::supervise`], such as
 /// `carom-supervisor` of this crate.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -62,6 +65,8 @@ pub struct ProgramChannel<'s> {
     /// Unread output of the program.
     pending: Vec<u8>,
     log: ErrorLog,
+    /// What gets the log at the end.
+    log_keeper: Option<LogKeeper<'s>>,
     runs: bool,
     /// How the program has ended.
     ended: Option<String>,
@@ -120,6 +125,7 @@ impl<'s> ProgramChannel<'s> {
             stderr: Some(stderr),
             pending: Vec::new(),
             log: ErrorLog::default(),
+            log_keeper: None,
             runs: true,
             ended: None,
             is_closed: false,
@@ -147,6 +153,11 @@ impl<'s> ProgramChannel<'s> {
         &self.log
     }
 
+    /// Has `keeper` called with the log at the end.
+    pub fn keep_log(&mut self, keeper: LogKeeper<'s>) {
+        self.log_keeper = Some(keeper);
+    }
+
     /// Ends the program with all its processes, and returns what it wrote to stderr.
     pub fn end(mut self) -> ErrorLog {
         self.end_now();
@@ -169,6 +180,9 @@ impl<'s> ProgramChannel<'s> {
         self.is_closed = true;
         let _ = self.supervisor.kill();
         let _ = self.supervisor.wait();
+        if let Some(keep) = self.log_keeper.take() {
+            keep(&self.log);
+        }
     }
 
     fn command(&self, command: u8) {

@@ -1,4 +1,4 @@
-//! The command line of a program, `exec:COMMAND ARGUMENTS`.
+//! The command line of a program, `exec:COMMAND ARGUMENTS` or `exec[KEY=VALUE,...]:COMMAND ARGUMENTS`.
 
 use std::env;
 use std::fs::{self, File};
@@ -6,42 +6,60 @@ use std::io::{self, Read};
 use std::os::unix::fs::PermissionsExt;
 use std::path::{Path, PathBuf};
 
-use carom::format::Node;
+use carom::format::{Node, Reader};
 use carom::{Error, ErrorKind};
 
 use sha2::{Digest, Sha256};
 
 use super::confinement::Confinement;
+use super::limits::ProgramLimits;
+use crate::built_in::{read_settings, written_settings};
+use crate::protocol::ProtocolSettings;
 use crate::secret::hex;
 use crate::settings::{LONGEST_NAME, PlayerEntry};
 
 /// A program with its arguments, as a player's name gives it.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ProgramCommand {
     text: String,
     /// The words as they were written.
     written: Vec<String>,
     /// The words with full paths.
     words: Vec<String>,
+    settings: Node,
+    limits: ProgramLimits,
+    protocol: ProtocolSettings,
 }
 
 impl ProgramCommand {
-    /// What a player's name begins with if it is a program.
-    pub const PREFIX: &str = "exec:";
+    /// Whether a player's name is that of a program.
+    pub fn is_one(name: &str) -> bool {
+        name.starts_with("exec:") || name.starts_with("exec[")
+    }
 
     /// Reads a player's name: words as a shell separates them, with its quotes, but without variables
     /// and patterns. The program is looked up in `PATH`. It will run in a folder of its own, so a word
     /// with a dot or a slash that names a file or folder here gets its full path.
     ///
+    /// Settings are `menu`, the largest number of plays in the menu of a request; and `memory` (MiB),
+    /// `processes`, `cpu` (s) and `file` (MiB), limits of [`ProgramLimits`].
+    ///
     /// # Errors
-    /// [`Error::Input`] at `player` for a name without the prefix, for a quote without an end, and for a
-    /// program that does not exist or may not be run.
+    /// [`Error::Input`] at `player` for a name without the prefix, for a quote without an end, for a
+    /// program that does not exist or may not be run, and with the key of an invalid setting.
     pub fn read(name: &str) -> Result<Self, Error> {
         let refuse = |kind: ErrorKind, what: String, remedy: &str| kind.at("player", what, remedy);
         let example = "write a command, as in \"exec:python3 mine.py\"";
-        let Some(text) = name.strip_prefix(Self::PREFIX) else {
-            return Err(refuse(ErrorKind::Syntax, format!("\"{name}\" is not a program"), example));
+        let not_one = || refuse(ErrorKind::Syntax, format!("\"{name}\" is not a program"), example);
+        let rest = name.strip_prefix("exec").ok_or_else(not_one)?;
+        let (text, settings) = match rest.strip_prefix('[') {
+            Some(inside) => {
+                let (settings, text) = inside.split_once("]:").ok_or_else(not_one)?;
+                (text, read_settings(&format!("{settings}]"))?)
+            }
+            None => (rest.strip_prefix(':').ok_or_else(not_one)?, Node::object([])),
         };
+        let (limits, protocol) = limits_of(&Reader::new(&settings, "player"))?;
         let Some(written) = shlex::split(text) else {
             let what = format!("a quote in \"{text}\" has no end");
             return Err(refuse(ErrorKind::Syntax, what, "close it, or write \\ before it"));
@@ -56,12 +74,33 @@ impl ProgramCommand {
         };
         let mut words = vec![found.display().to_string()];
         words.extend(arguments.iter().map(|word| full_path(word)));
-        Ok(Self { text: text.trim().into(), written, words })
+        Ok(Self { text: text.trim().into(), written, words, settings, limits, protocol })
     }
 
     /// The program and its arguments, with full paths.
     pub fn words(&self) -> &[String] {
         &self.words
+    }
+
+    /// The name in tables and records: the text that was read, shortened.
+    pub fn name(&self) -> String {
+        let settings =
+            if self.has_settings() { written_settings(&self.settings) } else { String::new() };
+        shortened(&format!("exec{settings}:{}", self.text))
+    }
+
+    fn has_settings(&self) -> bool {
+        self.settings != Node::object([])
+    }
+
+    /// What the program may use.
+    pub const fn limits(&self) -> ProgramLimits {
+        self.limits
+    }
+
+    /// How it is asked.
+    pub const fn protocol(&self) -> ProtocolSettings {
+        self.protocol
     }
 
     /// The program as a match has it. The settings have its words, the hashes of the files among them,
@@ -80,14 +119,39 @@ impl ProgramCommand {
                 files.set(written, hash);
             }
         }
-        let settings = Node::object([
+        let mut settings = Node::object([
             ("program", Node::list(&self.written)),
             ("sha256", files),
             ("enforced", Node::list(confinement.enforced().iter().copied())),
         ]);
-        let name = format!("{}{}", Self::PREFIX, self.text);
-        Ok(PlayerEntry { name: shortened(&name), settings })
+        if self.has_settings() {
+            settings.set("settings", self.settings.clone());
+        }
+        Ok(PlayerEntry { name: self.name(), settings })
     }
+}
+
+/// The limits and the kind of requests that the settings give.
+fn limits_of(settings: &Reader<'_>) -> Result<(ProgramLimits, ProtocolSettings), Error> {
+    settings.keys(&["menu", "memory", "processes", "cpu", "file"])?;
+    let mut limits = ProgramLimits::default();
+    let whole = |key, most| settings.get(key).map(|value| value.whole(1, most)).transpose();
+    if let Some(mib) = whole("memory", i64::from(u32::MAX))? {
+        limits.memory = mib.unsigned_abs() << 20;
+    }
+    if let Some(processes) = whole("processes", i64::from(u32::MAX))? {
+        limits.processes = processes as u32;
+    }
+    if let Some(mib) = whole("file", i64::from(u32::MAX))? {
+        limits.file_bytes = mib.unsigned_abs() << 20;
+    }
+    if let Some(seconds) = whole("cpu", i64::from(u32::MAX))? {
+        limits.cpu_seconds = seconds as u32;
+    }
+    let menu = whole("menu", i64::from(u32::MAX))?.unwrap_or(0) as u32;
+    let protocol = ProtocolSettings { menu, ..ProtocolSettings::default() };
+    protocol.check().map_err(|error| error.inside("player"))?;
+    Ok((limits, protocol))
 }
 
 /// A name that is too long loses its middle: the program stands at the start, and what
@@ -161,9 +225,31 @@ mod tests {
             ("exec:no-such-program", "there is no program"),
             ("exec:/etc/passwd", "there is no program"),
             ("exec:/", "there is no program"),
+            ("exec[menu=3:sh", "is not a program"),
         ] {
             let error = refusal(name);
             assert!(error.starts_with("player: ") && error.contains(what), "{error}");
+        }
+    }
+
+    #[test]
+    fn settings_are_limits_and_a_menu() {
+        let command = ProgramCommand::read("exec[menu=12,memory=100,cpu=7]:sh -c ]:").unwrap();
+        assert_eq!(command.protocol().menu, 12);
+        let expected =
+            ProgramLimits { memory: 100 << 20, cpu_seconds: 7, ..ProgramLimits::default() };
+        assert_eq!(command.limits(), expected);
+        let entry = command.entry(Confinement::Plain).unwrap();
+        assert_eq!(entry.name, "exec[menu=12,memory=100,cpu=7]:sh -c ]:");
+        assert!(entry.settings.get("settings").is_some());
+        for (name, place) in [
+            ("exec[menus=3]:sh", "player.menus: "),
+            ("exec[menu=100000]:sh", "player.menu: "),
+            ("exec[memory=0]:sh", "player.memory: "),
+            ("exec[cpu=x]:sh", "player.cpu: "),
+        ] {
+            let error = refusal(name);
+            assert!(error.starts_with(place), "{error}");
         }
     }
 

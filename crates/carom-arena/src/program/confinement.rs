@@ -5,6 +5,7 @@ use std::process::{Command, Stdio};
 use std::sync::LazyLock;
 use std::thread;
 
+use carom::{Error, ErrorKind};
 use rustix::thread::set_no_new_privs;
 
 /// The most that a confined program may write into its folder, bytes. The folder is in memory.
@@ -70,9 +71,21 @@ impl Confinement {
         }
     }
 
-    /// Whether everything is enforced that carom knows how to enforce.
-    pub const fn is_full(self) -> bool {
-        matches!(self, Self::Bubblewrap)
+    /// The strongest confinement that works here. If it is `strict`, it covers network, processes and
+    /// files.
+    ///
+    /// # Errors
+    /// [`Error::Input`] at `strict` if none here covers them.
+    pub fn here(strict: bool) -> Result<Self, Error> {
+        match Self::strongest() {
+            found @ Self::Bubblewrap => Ok(found),
+            found if !strict => Ok(found),
+            _ => Err(ErrorKind::Unsupported.at(
+                "strict",
+                "network, processes and files cannot be closed off for a program here",
+                "install bubblewrap and allow user namespaces, or leave strict out",
+            )),
+        }
     }
 
     /// The words of a program that runs under this confinement, in the folder `scratch`.

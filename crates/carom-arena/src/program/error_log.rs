@@ -1,13 +1,7 @@
 //! What a program writes to stderr, up to a limit.
 
-use std::fs::OpenOptions;
-use std::io::{self, Write};
-use std::path::Path;
-
-/// What is kept of stderr in a frame, bytes. The rest is read and dropped.
-const KEPT: usize = 1 << 20;
-/// Size above which a file gets no more, bytes.
-const LARGEST_FILE: u64 = 64 << 20;
+/// What is kept of stderr in a frame, bytes: a thousand lines. The rest is read and dropped.
+const KEPT: usize = 1 << 16;
 /// Longest last line, characters. It stands in a record.
 const LONGEST_LINE: usize = 200;
 
@@ -44,27 +38,19 @@ impl ErrorLog {
         Some(printable.take(LONGEST_LINE).collect())
     }
 
-    /// Appends the log to a file, under a heading, in one write: several frames may use the file.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn append_to(&self, path: &Path, heading: &str) -> io::Result<()> {
+    /// The log under a heading, for a file that several frames share; `None` if nothing was written.
+    pub fn block(&self, heading: &str) -> Option<String> {
         if self.kept.is_empty() {
-            return Ok(());
+            return None;
         }
-        let mut file = OpenOptions::new().create(true).append(true).open(path)?;
-        if file.metadata()?.len() > LARGEST_FILE {
-            return Ok(());
-        }
-        let mut block = format!("{heading}:\n").into_bytes();
-        block.extend_from_slice(&self.kept);
-        if !block.ends_with(b"\n") {
-            block.push(b'\n');
+        let mut block = format!("{heading}:\n{}", self.text());
+        if !block.ends_with('\n') {
+            block.push('\n');
         }
         if self.dropped > 0 {
-            block.extend(format!("({} more bytes were dropped)\n", self.dropped).bytes());
+            block.push_str(&format!("({} more bytes were dropped)\n", self.dropped));
         }
-        file.write_all(&block)
+        Some(block)
     }
 }
 
@@ -79,6 +65,10 @@ mod tests {
             log.add(&[b'x'; 1 << 16]);
         }
         assert_eq!((log.kept.len(), log.size()), (KEPT, 40 << 16));
+        let block = log.block("frame 3").unwrap();
+        assert!(block.starts_with("frame 3:\nxxx"));
+        assert!(block.ends_with("x\n(2555904 more bytes were dropped)\n"));
+        assert_eq!(ErrorLog::default().block("frame 3"), None);
     }
 
     #[test]

@@ -2,6 +2,7 @@
 //!
 //! - [`ProgramCommand`] is a command line, `exec:COMMAND ARGUMENTS`, taken apart as a shell does.
 //! - [`ProgramChannel`] runs the program and exchanges lines with it. Every wait has a deadline.
+//! - [`ProgramPlayer`] is the program as a player of a match.
 //! - [`supervise`] is the main function of the supervisor, a small process beside every program.
 //! - [`ProgramLimits`] and [`Confinement`] are what is enforced; docs/arena-security.md says what is
 //!   not promised.
@@ -22,13 +23,15 @@ mod confinement;
 mod error_log;
 mod limits;
 mod order;
+mod player;
 mod process_tree;
 mod supervisor;
 
-pub use channel::{MOST_PENDING_LINES, ProgramChannel, StopCheck, SupervisorCommand};
+pub use channel::{LogKeeper, MOST_PENDING_LINES, ProgramChannel, StopCheck, SupervisorCommand};
 pub use command::ProgramCommand;
 pub use confinement::Confinement;
 pub use error_log::ErrorLog;
 pub use limits::ProgramLimits;
 pub use order::ProgramOrder;
+pub use player::{ProgramPlayer, ProgramSite};
 pub use supervisor::supervise;

@@ -1,5 +1,7 @@
 //! Programs for tests, and whether anything is left of them.
 
+#![allow(dead_code, reason = "every test file uses some of them")]
+
 use std::fs;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};

@@ -1,0 +1,119 @@
+//! External programs as players of a match. Their supervisor is this library in another Python.
+
+use std::path::PathBuf;
+
+use carom_arena::{MatchPlayer, PlayerEntry};
+use pyo3::prelude::*;
+
+/// A program: its name as a player; the executable of Python; the file of this library; a function that
+/// gets what it writes to stderr; files that it must not read; and whether everything must be enforced.
+pub(crate) type ProgramArguments = (String, PathBuf, PathBuf, Py<PyAny>, Vec<PathBuf>, bool);
+
+#[cfg(target_os = "linux")]
+mod linux {
+    use carom::Error;
+    use carom_arena::{Confinement, ProgramCommand, ProgramPlayer, ProgramSite, SupervisorCommand};
+    use pyo3::prelude::*;
+
+    use super::{MatchPlayer, PlayerEntry, ProgramArguments};
+
+    /// What Python runs as a supervisor: it loads this library, and nothing else of the package.
+    const SUPERVISOR: &str = "import sys
+from importlib import machinery, util
+loader = machinery.ExtensionFileLoader('_core', sys.argv[1])
+module = util.module_from_spec(util.spec_from_loader('_core', loader))
+loader.exec_module(module)
+module.supervise()";
+
+    /// A program as the header of a record has it; None for the name of another player.
+    pub(crate) fn program_entry(name: &str) -> Option<Result<PlayerEntry, Error>> {
+        let read = || ProgramCommand::read(name)?.entry(Confinement::strongest());
+        ProgramCommand::is_one(name).then(read)
+    }
+
+    /// A program, before the frames.
+    pub(crate) struct Program {
+        command: ProgramCommand,
+        site: ProgramSite,
+        entry: PlayerEntry,
+    }
+
+    impl Program {
+        pub(crate) fn read(arguments: ProgramArguments) -> Result<Self, Error> {
+            let (name, python, library, log, hidden, strict) = arguments;
+            let command = ProgramCommand::read(&name)?;
+            let confinement = Confinement::here(strict)?;
+            let entry = command.entry(confinement)?;
+            let arguments = ["-I", "-S", "-c", SUPERVISOR].map(Into::into).to_vec();
+            let mut supervisor = SupervisorCommand { program: python.into(), arguments };
+            supervisor.arguments.push(library.into());
+            let log: Box<dyn Fn(String) + Send + Sync> = Box::new(move |block| {
+                // A full disk must not change the result of the frame.
+                let _ = Python::attach(|py| log.call1(py, (block,)).map(drop));
+            });
+            let site = ProgramSite { supervisor, confinement, hidden, log: Some(log) };
+            Ok(Self { command, site, entry })
+        }
+
+        pub(crate) fn entry(&self) -> PlayerEntry {
+            self.entry.clone()
+        }
+
+        pub(crate) fn player<'s>(
+            &'s self,
+            is_stopped: &'s (dyn Fn() -> bool + Sync),
+        ) -> Box<dyn MatchPlayer + 's> {
+            Box::new(ProgramPlayer::new(&self.command, &self.site, is_stopped))
+        }
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+mod elsewhere {
+    use carom::{Error, ErrorKind};
+
+    use super::{MatchPlayer, PlayerEntry, ProgramArguments};
+
+    pub(crate) fn program_entry(name: &str) -> Option<Result<PlayerEntry, Error>> {
+        name.starts_with("exec").then(|| Err(unsupported()))
+    }
+
+    fn unsupported() -> Error {
+        let what = "external programs play on Linux only";
+        ErrorKind::Unsupported.at("player", what, "write a player in Python")
+    }
+
+    /// No program plays on this system.
+    pub(crate) enum Program {}
+
+    impl Program {
+        pub(crate) fn read(_: ProgramArguments) -> Result<Self, Error> {
+            Err(unsupported())
+        }
+
+        pub(crate) fn entry(&self) -> PlayerEntry {
+            match *self {}
+        }
+
+        pub(crate) fn player<'s>(
+            &'s self,
+            _: &'s (dyn Fn() -> bool + Sync),
+        ) -> Box<dyn MatchPlayer + 's> {
+            match *self {}
+        }
+    }
+}
+
+#[cfg(not(target_os = "linux"))]
+pub(crate) use elsewhere::{Program, program_entry};
+#[cfg(target_os = "linux")]
+pub(crate) use linux::{Program, program_entry};
+
+/// The main function of a supervisor.
+#[pyfunction]
+pub(crate) fn supervise(py: Python<'_>) -> PyResult<()> {
+    #[cfg(target_os = "linux")]
+    return Ok(py.detach(carom_arena::supervise)?);
+    #[cfg(not(target_os = "linux"))]
+    Err(py.detach(|| std::io::Error::from(std::io::ErrorKind::Unsupported)).into())
+}
