@@ -76,9 +76,12 @@ def physics() -> list[dict[str, Any]]:
 
 
 def schema(
-    kind: Literal["shot", "trace", "play", "sweep", "tournament"] = "shot",
+    kind: Literal["shot", "trace", "play", "sweep", "tournament", "arena"] = "shot",
 ) -> dict[str, Any]:
     """The JSON Schema of a shot file, a trace, a play, a sweep's spec, or a tournament's file.
+
+    ``arena`` is that of the messages between a referee and a program, ``carom-arena/1``: its
+    ``$defs`` have one for each message.
 
     ``Frame.answer_schema`` gives that of the answers to a frame's present request.
 
@@ -88,14 +91,14 @@ def schema(
     if checked("kind", kind, '"shot"') in ("sweep", "tournament"):
         path = Path(__file__).with_name("data") / f"carom-{kind}-1.json"
         text = path.read_text(encoding="utf-8")
-    elif kind in ("shot", "trace", "play"):
+    elif kind in ("shot", "trace", "play", "arena"):
         text = _core.schema(kind)
     else:
         raise InputError(
             "unknown-name",
             "kind",
             f'there is no schema "{kind}"',
-            'write "shot", "trace", "play", "sweep" or "tournament"',
+            'write "shot", "trace", "play", "sweep", "tournament" or "arena"',
         )
     result: dict[str, Any] = json.loads(text)
     return result

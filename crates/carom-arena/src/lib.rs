@@ -74,7 +74,7 @@ mod tournament;
 
 pub use arena_frame::{ArenaFrame, Ask, LastShot, NextStep, REFUSALS};
 pub use built_in::{BuiltInPlayer, MOST_PLANNED};
-pub use check::{CheckSettings, Verdict, check, check_situations};
+pub use check::{CheckSettings, CheckVerdict, check, check_situations};
 pub use clock::{Clock, ClockPeriod, ClockUnit, Cost, expected_shots};
 pub use error::ArenaError;
 pub use ledger::RECORD;

@@ -650,3 +650,60 @@ fn the_eleventh_refused_line_loses_the_frame_and_a_stop_ends_the_match_without_a
     assert!(matches!(ask.situation.frame.request(), Request::Shot(_)));
     assert_eq!(player.respond(&ask, &Budget::simulations(1)), Response::Stop);
 }
+
+/// What the page of the protocol leaves out.
+const LEFT_OUT: &str = "…";
+
+/// Whether a message is as the page has it.
+fn is_as_shown(shown: &Node, real: &Node) -> bool {
+    match (shown, real) {
+        (Node::Text(text), _) if text == LEFT_OUT => true,
+        (Node::Object(shown), Node::Object(real)) => {
+            let same = |((a, one), (b, other)): (&(String, Node), &(String, Node))| {
+                a == b && is_as_shown(one, other)
+            };
+            shown.len() == real.len() && shown.iter().zip(real).all(same)
+        }
+        (Node::List(shown), Node::List(real)) => {
+            let same = |(one, other): (&Node, &Node)| is_as_shown(one, other);
+            shown.len() == real.len() && shown.iter().zip(real).all(same)
+        }
+        _ => shown == real,
+    }
+}
+
+#[test]
+fn the_session_of_the_page_is_what_the_referee_and_the_program_say() {
+    let page = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/arena-protocol.md");
+    let page = std::fs::read_to_string(page).unwrap();
+    let lines_of = |who: &str| -> Vec<String> {
+        page.lines().filter_map(|line| line.strip_prefix(who)).map(str::to_owned).collect()
+    };
+    let (shown, mut answers) = (lines_of("referee: "), VecDeque::from(lines_of("program: ")));
+    assert!(!shown.is_empty(), "the page has no session");
+    let clock = [Clock::simulations(1000).per_frame(); 2];
+    let of = made(MatchSettings { clock, ..short(Game::EightBall) });
+    let breaking = program(|message| {
+        let play = r#""strike": {"speed": 0.5, "azimuth": -1.5}, "cue_ball": [0.6, 0.5]"#;
+        match id(message) {
+            1 => vec![format!(r#"{{"type": "play", "id": 1, {play}}}"#)],
+            id => vec![format!(r#"{{"type": "concede", "id": {id}}}"#)],
+        }
+    });
+    let (one, _) = speaking(breaking, 0);
+    let (other, sent) = speaking(
+        move |message| match text(message, "type") {
+            "over" | "bye" => Vec::new(),
+            _ => answers.pop_front().into_iter().map(Ok).collect(),
+        },
+        0,
+    );
+    played_by(&of, one, other);
+    let sent = sent.lock().unwrap();
+    let all: Vec<String> = sent.iter().map(Node::to_json_line).collect();
+    assert_eq!(shown.len(), sent.len(), "{}", all.join("\n"));
+    for (shown, real) in shown.iter().zip(sent.iter()) {
+        let shown = Node::from_json(shown).unwrap();
+        assert!(is_as_shown(&shown, real), "{}", real.to_json_line());
+    }
+}

@@ -1,6 +1,7 @@
 //! The Python module `carom._core`: conversions, no logic. The public API is `python/carom`.
 
 mod arena;
+mod arena_check;
 mod batch;
 mod env;
 mod error;
@@ -34,6 +35,8 @@ mod _core {
         OpenMatch, adjusted_share, pair_interval, play_match, play_pair, player_entry,
         replay_match, test_state,
     };
+    #[pymodule_export]
+    use crate::arena_check::check_player;
     #[pymodule_export]
     use crate::batch::{
         check_noise, check_perception, draw_strikes, noise_moments, noise_presets, olympiad, see,

@@ -7,7 +7,8 @@ use carom::ErrorKind;
 use carom::error::{Error, InputError};
 use carom::format::Node;
 use carom_arena::{
-    ArenaFrame, Ask, BuiltInPlayer, ClockUnit, EndReason, MatchPlayer, PlayerEntry, Response,
+    ArenaFrame, Ask, BuiltInPlayer, Clock, ClockUnit, EndReason, MatchPlayer, PlayerEntry,
+    ProtocolSettings, Response,
 };
 use carom_mind::{Budget, Decision, Player, Spent};
 use pyo3::prelude::*;
@@ -24,6 +25,9 @@ pub(crate) enum EntrantArguments {
     Outside(String, String, Py<PyAny>),
     Program(ProgramArguments),
 }
+
+/// Simulated shots of a decision of a built-in player that is checked, if its name has none.
+const BUILT_IN_SIMULATIONS: u32 = 200;
 
 /// The first exception that ends a match.
 #[derive(Clone, Default)]
@@ -63,6 +67,34 @@ impl Entrant {
         matches!(self, Self::Outside { .. })
     }
 
+    /// The player's clock where `usual` is that of a player that is asked: built-in ones count simulated
+    /// shots.
+    pub(crate) fn clock(&self, usual: Clock) -> Clock {
+        match self {
+            Self::BuiltIn(player) => player.clock(Clock::simulations(BUILT_IN_SIMULATIONS)),
+            Self::Outside { .. } | Self::Program(_) => usual,
+        }
+    }
+
+    /// Whether it is a program that speaks the protocol.
+    pub(crate) const fn is_program(&self) -> bool {
+        matches!(self, Self::Program(_))
+    }
+
+    /// The player for one frame; a program is asked as `settings` say.
+    pub(crate) fn make_checked<'s>(
+        &'s self,
+        settings: ProtocolSettings,
+        is_stopped: &'s (dyn Fn() -> bool + Sync),
+    ) -> Result<Seated<'s>, Error> {
+        match self {
+            Self::Program(program) => {
+                Ok(Seated::Program(program.player(is_stopped, Some(settings))))
+            }
+            _ => self.make(is_stopped),
+        }
+    }
+
     /// The player as the header of a record has it.
     pub(crate) fn entry(&self) -> Node {
         let PlayerEntry { name, settings } = match self {
@@ -84,7 +116,7 @@ impl Entrant {
                 let (begin, raised) = (Arc::clone(begin), raised.clone());
                 Seated::Outside(Outside { begin, ask: None, raised })
             }
-            Self::Program(program) => Seated::Program(program.player(is_stopped)),
+            Self::Program(program) => Seated::Program(program.player(is_stopped, None)),
         })
     }
 }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use carom_arena::{MatchPlayer, PlayerEntry};
+use carom_arena::{MatchPlayer, PlayerEntry, ProtocolSettings};
 use pyo3::prelude::*;
 
 /// A program: its name as a player; the executable of Python; the file of this library; a function that
@@ -15,7 +15,7 @@ mod linux {
     use carom_arena::{Confinement, ProgramCommand, ProgramPlayer, ProgramSite, SupervisorCommand};
     use pyo3::prelude::*;
 
-    use super::{MatchPlayer, PlayerEntry, ProgramArguments};
+    use super::{MatchPlayer, PlayerEntry, ProgramArguments, ProtocolSettings};
 
     /// What Python runs as a supervisor: it loads this library, and nothing else of the package.
     const SUPERVISOR: &str = "import sys
@@ -59,11 +59,17 @@ module.supervise()";
             self.entry.clone()
         }
 
+        /// The program in a frame, asked as `settings` say, or else as its name says.
         pub(crate) fn player<'s>(
             &'s self,
             is_stopped: &'s (dyn Fn() -> bool + Sync),
+            settings: Option<ProtocolSettings>,
         ) -> Box<dyn MatchPlayer + 's> {
-            Box::new(ProgramPlayer::new(&self.command, &self.site, is_stopped))
+            let player = ProgramPlayer::new(&self.command, &self.site, is_stopped);
+            Box::new(match settings {
+                Some(settings) => player.asked(settings),
+                None => player,
+            })
         }
     }
 }
@@ -72,7 +78,7 @@ module.supervise()";
 mod elsewhere {
     use carom::{Error, ErrorKind};
 
-    use super::{MatchPlayer, PlayerEntry, ProgramArguments};
+    use super::{MatchPlayer, PlayerEntry, ProgramArguments, ProtocolSettings};
 
     pub(crate) fn program_entry(name: &str) -> Option<Result<PlayerEntry, Error>> {
         name.starts_with("exec").then(|| Err(unsupported()))
@@ -98,6 +104,7 @@ mod elsewhere {
         pub(crate) fn player<'s>(
             &'s self,
             _: &'s (dyn Fn() -> bool + Sync),
+            _: Option<ProtocolSettings>,
         ) -> Box<dyn MatchPlayer + 's> {
             match *self {}
         }

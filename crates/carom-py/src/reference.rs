@@ -83,18 +83,19 @@ pub(crate) fn error_kinds() -> Vec<(&'static str, &'static str, Vec<&'static str
     all.map(|kind| (kind.name(), kind.sentence(), kind.details().to_vec())).collect()
 }
 
-/// The JSON Schema of `shot`, `trace` or `play`, as JSON.
+/// The JSON Schema of `shot`, `trace`, `play` or `arena`, as JSON.
 #[pyfunction]
 pub(crate) fn schema(kind: &str) -> PyResult<String> {
     match kind {
         "shot" => Ok(carom::format::schema::SHOT.into()),
         "trace" => Ok(carom::format::schema::TRACE.into()),
         "play" => Ok(carom_rules::play_schema().to_json()),
+        "arena" => Ok(carom_arena::ARENA_SCHEMA.into()),
         _ => Err(refuse(
             ErrorKind::UnknownName,
             "kind",
             &format!("there is no schema \"{kind}\""),
-            "write \"shot\", \"trace\" or \"play\"",
+            "write \"shot\", \"trace\", \"play\" or \"arena\"",
         )),
     }
 }

@@ -7,6 +7,7 @@ from carom.arena.bridge import Bridge
 from carom.arena.match import play_match
 from carom.arena.pair import OpenMatch, PlayedPair, play_pair
 from carom.arena.plan import MatchPlan
+from carom.arena.player_check import CheckReport, CheckVerdict, check
 from carom.arena.replay import MatchReplay, luck, replay_match
 from carom.arena.result import AdjustedShare, MatchResult, Score, TestResult
 from carom.arena.tournament import Tournament
@@ -15,6 +16,8 @@ from carom.arena.tournament_result import Standing, Standings, TestOfChange, Tou
 __all__ = [
     "AdjustedShare",
     "Bridge",
+    "CheckReport",
+    "CheckVerdict",
     "MatchPlan",
     "MatchReplay",
     "MatchResult",
@@ -29,6 +32,7 @@ __all__ = [
     "TestResult",
     "Tournament",
     "TournamentResult",
+    "check",
     "luck",
     "play_match",
     "play_pair",

@@ -93,10 +93,14 @@ def physics(
 
 def schema(
     kind: Annotated[
-        str, typer.Argument(metavar="[shot|trace|play|sweep|tournament]", help="The kind of file.")
+        str,
+        typer.Argument(
+            metavar="[shot|trace|play|sweep|tournament|arena]",
+            help="The kind of file; arena is that of the messages of programs.",
+        ),
     ] = "shot",
 ) -> None:
-    """Print the JSON Schema of a shot, a trace, a play of a game, a sweep, or a tournament."""
+    """Print the JSON Schema of a shot, a trace, a play, a sweep, a tournament, or messages."""
     emit(js.dumps(carom.schema(kind), indent=2))  # type: ignore[arg-type] # checked there
 
 

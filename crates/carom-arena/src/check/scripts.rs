@@ -105,7 +105,7 @@ fn best(situation: &Situation<'_>) -> Result<Answer, Error> {
     Searcher::default().decide(situation, &budget).map(|decision| decision.answer)
 }
 
-/// A call that the rules allow where nobody means anything by it.
+/// A call that the rules allow; what is called does not matter.
 fn call_of(frame: &Frame, turn: &Turn) -> Call {
     let calls = &turn.calls;
     let first = frame.layout().on_table().find(|ball| *ball != turn.cue);

@@ -16,7 +16,7 @@ pub(super) enum Mode {
     Refused,
     /// Its clock is short.
     ShortClock,
-    /// No errors are disclosed.
+    /// No errors are disclosed: the messages have null for them. For programs alone.
     Undisclosed,
     /// The request has a menu. For programs alone.
     Menu,
@@ -69,7 +69,7 @@ impl CheckSituation {
         Self { mode, ..self }
     }
 
-    /// What the players of the situation are told of errors.
+    /// The errors that the situation discloses.
     pub(super) const fn disclosure(&self) -> Disclosure {
         match self.mode {
             Mode::Undisclosed => Disclosure::Nothing,
@@ -79,7 +79,7 @@ impl CheckSituation {
 
     /// Whether only a program can be asked.
     pub(super) const fn is_for_programs(&self) -> bool {
-        matches!(self.mode, Mode::Menu | Mode::Unknown)
+        matches!(self.mode, Mode::Menu | Mode::Unknown | Mode::Undisclosed)
     }
 }
 

@@ -11,7 +11,7 @@ use super::order::ProgramOrder;
 use crate::arena_frame::{ArenaFrame, Ask};
 use crate::match_player::{MatchPlayer, Response};
 use crate::moves::EndReason;
-use crate::protocol::{ChannelFault, ProtocolPlayer};
+use crate::protocol::{ChannelFault, ProtocolPlayer, ProtocolSettings};
 
 /// How the programs of a match are run.
 pub struct ProgramSite {
@@ -31,6 +31,7 @@ pub struct ProgramPlayer<'s> {
     command: &'s ProgramCommand,
     site: &'s ProgramSite,
     is_stopped: StopCheck<'s>,
+    protocol: ProtocolSettings,
     player: Option<ProtocolPlayer<ProgramChannel<'s>>>,
 }
 
@@ -41,7 +42,13 @@ impl<'s> ProgramPlayer<'s> {
         site: &'s ProgramSite,
         is_stopped: StopCheck<'s>,
     ) -> Self {
-        Self { command, site, is_stopped, player: None }
+        Self { command, site, is_stopped, protocol: command.protocol(), player: None }
+    }
+
+    /// The same program, asked as `protocol` says.
+    #[must_use]
+    pub fn asked(self, protocol: ProtocolSettings) -> Self {
+        Self { protocol, ..self }
     }
 
     fn start(&self, ask: &Ask<'_>) -> Result<ProtocolPlayer<ProgramChannel<'s>>, ChannelFault> {
@@ -61,7 +68,7 @@ impl<'s> ProgramPlayer<'s> {
             }));
         }
         // The settings were checked when the command was read.
-        ProtocolPlayer::new(channel, self.command.protocol())
+        ProtocolPlayer::new(channel, self.protocol)
             .map_err(|error| ChannelFault::Crash(error.to_string()))
     }
 }

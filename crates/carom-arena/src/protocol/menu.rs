@@ -13,7 +13,7 @@ use carom_rules::{BallIndex, Choice, Frame, Play, Request};
 use super::plays::play_node;
 
 /// Simulated shots with which the plays of a menu are found: as many as level 3 has for a decision,
-/// some tens of milliseconds.
+/// about 30 ms.
 const SIMULATIONS: u32 = 600;
 
 /// Most plays of a menu: more would have too few samples.

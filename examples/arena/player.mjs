@@ -1,0 +1,1 @@
+../../python/carom/data/arena/player.mjs
