@@ -123,7 +123,7 @@ const CASES: [Case; 26] = [
 
 /// The players of a frame.
 enum Seated<'s> {
-    Program(ProgramPlayer<'s>),
+    Program(Box<ProgramPlayer<'s>>),
     Random(Box<dyn Player>),
 }
 
@@ -173,7 +173,7 @@ fn faults(case: &Case, secret: Secret) -> Vec<String> {
     let mut frame = ArenaFrame::begin(of, 0, secret.pair_seeds(0), &mut simulator).unwrap();
     let never = || false;
     let mut seated = [
-        Seated::Program(ProgramPlayer::new(&command, &site, &never)),
+        Seated::Program(Box::new(ProgramPlayer::new(&command, &site, &never))),
         Seated::Random(Box::new(RandomPlayer)),
     ];
     play_frame(&mut frame, &mut seated, &mut simulator, &Progress::default()).unwrap();
