@@ -111,7 +111,7 @@ class GameState(Record):
     """Values that only one game has; the keys are those of the frame's game.
 
     Attributes:
-        groups: Eight-ball, heyball: each player's group; None while the table is open.
+        groups: Eight-ball, Chinese eight-ball: each player's group; None while the table is open.
         on: Snooker: what is on: ``red``, ``color``, or ``sequence``, the colours in order.
         free_ball: Snooker: whether there is a free ball.
         break_: Snooker: points of the present break; the key is ``break``.

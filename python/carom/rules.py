@@ -457,7 +457,7 @@ class Frame:
     def state(self) -> GameState:
         """Values that only this game has.
 
-        ``groups`` in eight-ball and heyball; ``on``, ``free_ball``, ``break`` and ``points_left``
+        ``groups`` in eight-ball and its Chinese form; ``on``, ``free_ball``, ``break`` and ``points_left``
         (the most that the balls on the table are worth) in snooker, and ``misses`` too in six-red;
         ``innings`` in carom games.
         """

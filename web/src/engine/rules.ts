@@ -103,7 +103,7 @@ export interface FrameState {
   readonly balls: Readonly<Record<string, Point>>;
   /** The state that is specific to the game. */
   readonly state: {
-    /** Eight-ball, heyball: each player's group; null while the table is open. */
+    /** Eight-ball, Chinese eight-ball: each player's group; null while the table is open. */
     readonly groups?: readonly ["solids" | "stripes" | null, "solids" | "stripes" | null];
     /** Snooker: the ball on, whether there is a free ball, and the points of the present break. */
     readonly on?: "red" | "color" | "sequence";

@@ -1,11 +1,11 @@
 //! The games, one file each.
 
+pub mod chinese_eight_ball;
 pub mod eight_ball;
 mod facts;
 pub mod four_ball;
 mod game;
 mod group;
-pub mod heyball;
 mod innings;
 mod pool;
 pub mod practice;
@@ -78,8 +78,8 @@ game_states! {
     FourBall(four_ball::FourBall),
     /// Six-red snooker.
     SixRed(six_red::SixRed),
-    /// Heyball.
-    Heyball(heyball::Heyball),
+    /// Chinese eight-ball.
+    ChineseEightBall(chinese_eight_ball::ChineseEightBall),
     /// Practice.
     Practice(practice::Practice),
 }
@@ -97,7 +97,7 @@ impl GameFacts {
             Game::StraightRail => &straight_rail::FACTS,
             Game::FourBall => &four_ball::FACTS,
             Game::SixRed => &six_red::FACTS,
-            Game::Heyball => &heyball::FACTS,
+            Game::ChineseEightBall => &chinese_eight_ball::FACTS,
             Game::Practice => &practice::FACTS,
         }
     }

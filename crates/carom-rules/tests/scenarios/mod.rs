@@ -1,9 +1,9 @@
 //! Tests of the rules, one scenario for each. The shots are written by hand, not simulated.
 
+mod chinese_eight_ball;
 mod eight_ball;
 mod endings;
 mod four_ball;
-mod heyball;
 mod near_balls;
 mod rotation;
 mod six_red;

@@ -155,9 +155,9 @@ games! {
         break_aim: (6, 1.3),
         ..SNOOKER
     };
-    /// Heyball, Chinese eight-ball: the rack and the break of eight-ball, on its own table.
-    Heyball = Equipment {
-        name: "heyball",
+    /// Chinese eight-ball, heyball: the rack and the break of eight-ball, on its own table.
+    ChineseEightBall = Equipment {
+        name: "chinese-eight-ball",
         table: "chinese-9ft",
         opened_as: Some(Game::EightBall),
         ..EIGHT_BALL
@@ -170,8 +170,9 @@ impl Game {
         self.equipment().name
     }
 
-    /// The game called `name`, if there is one.
+    /// The game called `name`, if there is one. `heyball` is the other name of `chinese-eight-ball`.
     pub fn named(name: &str) -> Option<Self> {
+        let name = if name == "heyball" { "chinese-eight-ball" } else { name };
         Self::ALL.into_iter().find(|game| game.name() == name)
     }
 

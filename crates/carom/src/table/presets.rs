@@ -284,7 +284,7 @@ const POOLFIZ: Sheet = Sheet {
 /// Diameter of a pool ball, 2¼ in, over that of a snooker ball, 52.5 mm.
 const POOL_TO_SNOOKER: f64 = 2.25 * INCH / 0.0525;
 
-/// The table of heyball: "snooker-style pockets and steel block cushions" (billiardsboutique.com, 2016), so cushions and
+/// The table of Chinese eight-ball: "snooker-style pockets and steel block cushions" (billiardsboutique.com, 2016), so cushions and
 /// jaws are those of a snooker table in proportion to the ball. The rules of August 2017 (9ballpool.co.uk) have the same
 /// head string and foot spot, and a width of 1260 ± 9 mm.
 const CHINESE_9FT: Sheet = Sheet {

@@ -58,6 +58,6 @@ export const texts: PhotoTexts = {
   "table.english-7ft": "English Pool, 7 Fuß",
   "table.carom-10ft": "Karambol, 10 Fuß",
   "table.carom-9ft": "Karambol, 9 Fuß",
-  "table.chinese-9ft": "Heyball (chinesisches 8-Ball), 9 Fuß",
+  "table.chinese-9ft": "Chinesisches 8-Ball (Heyball), 9 Fuß",
   "table.poolfiz": "Poolfiz",
 };

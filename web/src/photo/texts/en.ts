@@ -54,7 +54,7 @@ export const texts = {
   "table.english-7ft": "English pool, 7 ft",
   "table.carom-10ft": "Carom, 10 ft",
   "table.carom-9ft": "Carom, 9 ft",
-  "table.chinese-9ft": "Heyball (Chinese eight-ball), 9 ft",
+  "table.chinese-9ft": "Chinese eight-ball (heyball), 9 ft",
   "table.poolfiz": "Poolfiz",
 } as const;
 

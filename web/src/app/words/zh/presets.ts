@@ -43,6 +43,6 @@ export const texts: Translation<typeof en.presets> = {
   "game.straight-rail": "自由开伦",
   "game.four-ball": "四球开伦",
   "game.six-red": "六红球斯诺克",
-  "game.heyball": "中式八球",
+  "game.chinese-eight-ball": "中式八球",
   "game.practice": "练习",
 };

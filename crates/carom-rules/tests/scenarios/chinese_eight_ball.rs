@@ -1,4 +1,4 @@
-//! Heyball, Chinese eight-ball.
+//! Chinese eight-ball, heyball.
 
 use super::{CORNER, SIDE, Scenario, assert_fouls, hit};
 use crate::games::eight_ball::Group;
@@ -9,7 +9,7 @@ const EIGHT: u16 = 8;
 
 /// Player 0 has pocketed a ball on the break.
 fn broken() -> Scenario {
-    let mut scenario = Scenario::of(Game::Heyball);
+    let mut scenario = Scenario::of(Game::ChineseEightBall);
     assert_eq!(scenario.asks(0).hand, Some(Region::BehindHeadString));
     assert!(scenario.play(NOTHING, hit(&[1]).potting(1, CORNER)).is_legal());
     scenario
@@ -110,7 +110,7 @@ fn an_object_ball_off_the_table_is_a_foul_and_stays_down() {
 #[test]
 fn a_foul_on_the_break_gives_the_cue_ball_in_hand_behind_the_head_string_without_a_choice() {
     for happened in [hit(&[1]).potting(0, SIDE).driving(&[1, 2, 3, 4]), hit(&[1]).losing(5)] {
-        let mut scenario = Scenario::of(Game::Heyball);
+        let mut scenario = Scenario::of(Game::ChineseEightBall);
         scenario.play(NOTHING, happened.potting(2, SIDE));
         assert_eq!(scenario.asks(1).hand, Some(Region::BehindHeadString));
     }
@@ -118,7 +118,7 @@ fn a_foul_on_the_break_gives_the_cue_ball_in_hand_behind_the_head_string_without
 
 #[test]
 fn the_head_string_is_450_mm_from_the_bottom_rail() {
-    let scenario = Scenario::of(Game::Heyball);
+    let scenario = Scenario::of(Game::ChineseEightBall);
     let table = scenario.0.base().table();
     assert!(Region::BehindHeadString.holds(table, [0.6, 0.449]));
     assert!(!Region::BehindHeadString.holds(table, [0.6, 0.451]));
@@ -126,14 +126,14 @@ fn the_head_string_is_450_mm_from_the_bottom_rail() {
 
 #[test]
 fn a_soft_break_may_be_played_on_or_repeated() {
-    let mut scenario = Scenario::of(Game::Heyball);
+    let mut scenario = Scenario::of(Game::ChineseEightBall);
     assert_fouls(&scenario.play(NOTHING, hit(&[1]).driving(&[1, 2, 3])), &[Foul::SoftBreak]);
     scenario.offers(1, &[Choice::PlayOn, Choice::Rebreak, Choice::RebreakByOther]);
 }
 
 #[test]
 fn the_eight_on_the_break_is_spotted_or_the_break_repeated() {
-    let mut scenario = Scenario::of(Game::Heyball);
+    let mut scenario = Scenario::of(Game::ChineseEightBall);
     scenario.play(NOTHING, hit(&[1]).potting(EIGHT, SIDE));
     scenario.offers(0, &[Choice::SpotEight, Choice::Rebreak]);
     scenario.choose(Choice::SpotEight);
@@ -144,7 +144,7 @@ fn the_eight_on_the_break_is_spotted_or_the_break_repeated() {
 
 #[test]
 fn the_eight_on_a_break_with_a_foul_is_spotted_for_the_opponent_behind_the_head_string() {
-    let mut scenario = Scenario::of(Game::Heyball);
+    let mut scenario = Scenario::of(Game::ChineseEightBall);
     scenario.play(NOTHING, hit(&[1]).potting(EIGHT, SIDE).potting(0, CORNER));
     scenario.offers(1, &[Choice::SpotEight, Choice::Rebreak]);
     scenario.choose(Choice::SpotEight);

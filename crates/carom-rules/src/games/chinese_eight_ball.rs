@@ -1,4 +1,4 @@
-//! Heyball, Chinese eight-ball: the groups of eight-ball without calls, on a table with the pockets of snooker.
+//! Chinese eight-ball, also called heyball: the groups of eight-ball without calls, on a table with the pockets of snooker.
 //!
 //! Sources: "World Chinese eight-ball masters, standard rules" of 2017, chapter 12 (forums.azbilliards.com, thread
 //! 454320), whose numbers the fouls carry; "Rules of heyball", 2017, updated 2019 (ihpapool.com): no calls, cue ball in
@@ -27,7 +27,7 @@ use crate::state_bytes::state_bytes;
 const STYLE: Style = Style { calls: Calls::NONE, may_play_on: false };
 
 pub(crate) const FACTS: GameFacts = GameFacts {
-    game: Game::Heyball,
+    game: Game::ChineseEightBall,
     players: 2,
     balls: 16,
     own_cue_balls: false,
@@ -53,18 +53,18 @@ pub(crate) const FACTS: GameFacts = GameFacts {
         Foul::PushShot => "heyball 12.7",
         _ => "",
     },
-    state: || GameState::Heyball(Heyball::default()),
+    state: || GameState::ChineseEightBall(ChineseEightBall::default()),
 };
 
-/// A rack of heyball.
+/// A rack of Chinese eight-ball.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Heyball {
+pub struct ChineseEightBall {
     rack: EightBall,
 }
 
-state_bytes!(struct Heyball { rack });
+state_bytes!(struct ChineseEightBall { rack });
 
-impl GameRules for Heyball {
+impl GameRules for ChineseEightBall {
     fn is_opening(&self) -> bool {
         self.rack.is_opening()
     }
