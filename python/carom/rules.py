@@ -457,9 +457,9 @@ class Frame:
     def state(self) -> GameState:
         """Values that only this game has.
 
-        ``groups`` in eight-ball and its Chinese form; ``on``, ``free_ball``, ``break`` and ``points_left``
-        (the most that the balls on the table are worth) in snooker, and ``misses`` too in six-red;
-        ``innings`` in carom games.
+        ``groups`` in eight-ball and Chinese eight-ball; ``on``, ``free_ball``, ``break`` and
+        ``points_left`` (the most that the balls on the table are worth) in snooker, and ``misses``
+        too in six-red; ``innings`` in carom games.
         """
         return GameState(self._core.entry("state"))
 

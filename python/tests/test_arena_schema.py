@@ -15,8 +15,9 @@ pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="programs play o
 
 SCHEMA = carom.schema("arena")
 
-# Its log has every message: what it reads, and what it answers. At each request it first gives an answer
-# that is refused. Later it picks from the menu, plays, takes the first choice, and at last concedes.
+# Its log has every message: what it reads, and what it answers. At each request it first gives an
+# answer that is refused. Then it picks from the menu, plays or takes the first choice; it concedes
+# at its fourth request.
 PROGRAM = """
 import json, sys
 

@@ -336,3 +336,18 @@ pairs = 2
     refused = run("arena", "run", "wrong.toml")
     assert (refused.returncode, refused.stdout) == (2, "")
     assert "wrong.toml: format: " in refused.stderr
+
+
+def test_the_tables_of_a_tournament_have_the_shares_corrected_for_luck(tmp_path: Path) -> None:
+    tournament = Tournament(event(luck=4, pairs=3, block=2))
+    result = tournament.run(tmp_path, threads=2)
+    (table,) = result.standings
+    corrected = {row.player: row.adjusted for row in table.players}
+    assert all(share is not None and share.pairs == 6 for share in corrected.values())
+    assert "corrected for luck" in str(result)
+    (rated,) = carom.arena.ratings(tmp_path)
+    assert {row.player: row.adjusted for row in rated.players} == corrected
+    assert "corrected for luck" in str(rated)
+    plain = Tournament(FILE).run(tmp_path / "plain", threads=2)
+    assert "luck" not in str(plain)
+    assert all(row.adjusted is None for row in plain.standings[0].players)

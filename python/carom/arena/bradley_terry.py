@@ -23,7 +23,8 @@ from dataclasses import dataclass, field
 from statistics import NormalDist
 from typing import TYPE_CHECKING, Any
 
-from carom.arena.tournament_folder import FrameResult, TournamentFolder
+from carom.arena.result import AdjustedShare, with_adjusted
+from carom.arena.tournament_folder import FrameResult, PairResult, TournamentFolder
 from carom.arguments import number
 from carom.columns import lines
 from carom.errors import InputError
@@ -53,12 +54,14 @@ class Game:
         other: The other player.
         points: The points of the breaker: 1, ½ or 0.
         pair: Anything that only the frames of the same pair have in common.
+        luck: The luck of the breaker, in points; None if it was not measured.
     """
 
     breaker: str
     other: str
     points: float
     pair: Any
+    luck: float | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -72,6 +75,7 @@ class Rating:
         high: Upper end.
         frames: Number of its frames that count.
         share: Its share of their points.
+        adjusted: The same, corrected for luck; None if the luck was not measured in all its pairs.
     """
 
     player: str
@@ -80,6 +84,7 @@ class Rating:
     high: float
     frames: int
     share: float
+    adjusted: AdjustedShare | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,13 +145,14 @@ class RatingTable:
                     "interval": [row.low, row.high],
                     "frames": row.frames,
                     "share": row.share,
+                    **({} if row.adjusted is None else {"adjusted": row.adjusted.to_dict()}),
                 }
                 for row in self.players
             ],
         }
 
     def __str__(self) -> str:
-        rows = [("player", "Elo", "interval", "frames", "share")]
+        rows: list[tuple[str, ...]] = [("player", "Elo", "interval", "frames", "share")]
         rows += [
             (
                 row.player,
@@ -157,11 +163,12 @@ class RatingTable:
             )
             for row in self.players
         ]
+        rows = with_adjusted(rows, [row.adjusted for row in self.players])
         elo, low, high = self.breaker
         return "\n".join(
             [
                 self.condition,
-                *lines(rows, right_aligned={1, 2, 3, 4}),
+                *lines(rows, right_aligned={1, 2, 3, 4, 5, 7}),
                 f"advantage of the breaker {elo:+.0f} ({low:+.0f} to {high:+.0f}); "
                 f"{self.pairs} pairs, intervals at {100 * self.level:g} % confidence",
             ]
@@ -200,7 +207,10 @@ def _games(players: tuple[str, str], frames: Sequence[FrameResult], block: str) 
         if frame.points is not None:
             points = frame.points if frame.breaker == 0 else 1 - frame.points
             breaker, other = players[frame.breaker], players[1 - frame.breaker]
-            found.append(Game(breaker, other, points, (block, frame.number // 2)))
+            luck = frame.luck
+            if luck is not None and frame.breaker == 1:
+                luck = -luck
+            found.append(Game(breaker, other, points, (block, frame.number // 2), luck))
     return found
 
 
@@ -227,9 +237,10 @@ def fit(games: Sequence[Game], condition: str = "", level: float = 0.95) -> Rati
     for i, name in enumerate(names):
         contrast = np.append(np.eye(n)[i] - mean, 0.0)
         elo, half = float(contrast @ estimate), _half_width(contrast, covariance, level)
-        own = [game.points for game in games if game.breaker == name]
-        own += [1 - game.points for game in games if game.other == name]
-        table.append(Rating(name, elo, elo - half, elo + half, len(own), sum(own) / len(own)))
+        own = _own(games, name)
+        share = sum(points for points, _, _ in own) / len(own)
+        adjusted = AdjustedShare.of(_pairs(own), level)
+        table.append(Rating(name, elo, elo - half, elo + half, len(own), share, adjusted))
     advantage = float(estimate[n])
     half = _half_width(np.eye(n + 1)[n], covariance, level)
     return RatingTable(
@@ -241,6 +252,31 @@ def fit(games: Sequence[Game], condition: str = "", level: float = 0.95) -> Rati
         tuple(names),
         covariance[:n, :n],
     )
+
+
+def _own(games: Sequence[Game], name: str) -> list[tuple[float, float | None, Any]]:
+    """The points of a player in its frames, its luck and the pair."""
+    own = [(game.points, game.luck, game.pair) for game in games if game.breaker == name]
+    own += [
+        (1 - game.points, None if game.luck is None else -game.luck, game.pair)
+        for game in games
+        if game.other == name
+    ]
+    return own
+
+
+def _pairs(own: Sequence[tuple[float, float | None, Any]]) -> list[PairResult]:
+    """The points and the luck of a player in whole pairs, which have two frames."""
+    of_pair: dict[Any, list[tuple[float, float | None]]] = {}
+    for points, luck, pair in own:
+        of_pair.setdefault(pair, []).append((points, luck))
+    found: list[PairResult] = []
+    for frames in of_pair.values():
+        if len(frames) == 2:
+            (one, luck), (other, more) = frames
+            measured = luck is not None and more is not None
+            found.append((one + other, (luck or 0.0) + (more or 0.0) if measured else None))
+    return found
 
 
 def _regression(

@@ -11,6 +11,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from carom import _core
+from carom.arena.fresh_errors import frame_luck
+from carom.arena.result import AdjustedShare
 from carom.arguments import number
 from carom.errors import InputError
 from carom.files import checked_path, shown
@@ -392,13 +394,8 @@ def _frame(
     node: dict[str, Any], line: str, names: tuple[str, str], costs: tuple[Costs, Costs]
 ) -> ReportFrame:
     seats, end = node["seats"], node["end"]
-    luck, is_measured = 0.0, "luck" in node["seeds"]
     for move in node["moves"]:
-        player = seats[move["seat"]]
-        costs[player].add(move)
-        if "luck" in move:
-            found = move["luck"]["after"] - move["luck"]["expected"]
-            luck += found if player == 0 else -found
+        costs[seats[move["seat"]]].add(move)
     points, winner = end["points"], end["winner"]
     return ReportFrame(
         number=node["frame"],
@@ -408,7 +405,7 @@ def _frame(
         reason=str(end["reason"]),
         why=str(end["why"]),
         shots=sum("executed" in move for move in node["moves"]),
-        luck=luck if is_measured else None,
+        luck=frame_luck(node),
         line=line,
     )
 
@@ -498,9 +495,5 @@ def _share(pairs: Sequence[tuple[float, float | None]], level: float) -> Share |
 
 
 def _adjusted(pairs: Sequence[tuple[float, float | None]], level: float) -> Share | None:
-    """The share corrected for luck, if the luck of every pair was measured."""
-    measured = [(points / 2, luck / 2) for points, luck in pairs if luck is not None]
-    if not measured or len(measured) < len(pairs):
-        return None
-    found = _core.adjusted_share(measured, level)
-    return None if found is None else Share(found["share"], *found["share_interval"])
+    found = AdjustedShare.of(pairs, level)
+    return None if found is None else Share(found.share, *found.share_interval)

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Self
 
+from carom import _core
 from carom.columns import cells, left
 from carom.plan.chance import Chance, or_null
 
@@ -70,6 +72,23 @@ class AdjustedShare:
     weight: float
     saved: float | None
 
+    @classmethod
+    def of(cls, pairs: Sequence[tuple[float, float | None]], level: float) -> Self | None:
+        """The share in pairs that were played in several matches.
+
+        Args:
+            pairs: The points of the player in each pair, 0 to 2, and its luck, in points.
+            level: Confidence level of the interval, in (0, 1).
+
+        Returns:
+            None without pairs, or if the luck of a pair was not measured.
+        """
+        measured = [(points / 2, luck / 2) for points, luck in pairs if luck is not None]
+        if not measured or len(measured) < len(pairs):
+            return None
+        found = _core.adjusted_share(measured, level)
+        return None if found is None else cls(**found)
+
     def to_dict(self) -> dict[str, Any]:
         """Plain values, for JSON."""
         return {
@@ -86,6 +105,26 @@ class AdjustedShare:
         if self.saved is not None:
             line += f"; the variance of a pair is {self.saved:.2f} times smaller"
         return line
+
+
+def with_adjusted(
+    rows: Sequence[tuple[str, ...]], shares: Sequence[AdjustedShare | None]
+) -> list[tuple[str, ...]]:
+    """The rows of a table, the first its heads, with columns of the shares corrected for luck.
+
+    Without any such share the rows stay as they are.
+    """
+    if not any(shares):
+        return list(rows)
+    cells = [("corrected for luck", "interval", "variance saved")]
+    for share in shares:
+        if share is None:
+            cells.append(("", "", ""))
+            continue
+        low, high = (100 * end for end in share.share_interval)
+        saved = "" if share.saved is None else f"{share.saved:.1f} ×"
+        cells.append((f"{100 * share.share:.1f} %", f"{low:.1f} to {high:.1f}", saved))
+    return [(*row, *more) for row, more in zip(rows, cells, strict=True)]
 
 
 @dataclass(frozen=True, slots=True)

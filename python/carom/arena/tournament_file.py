@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from carom import _core
+from carom.arena.fresh_errors import luck_draws
 from carom.errors import InputError
 from carom.files import read_text, shown
 from carom.noise import Noise, Perception
@@ -36,7 +37,7 @@ _VARIED = (
     "clock",
 )
 _CLOCKS = ("simulations", "frame_simulations", "time", "clock")
-_FIXED = ("disclosure", "points", "miss", "patience", "max_events")
+_FIXED = ("disclosure", "points", "miss", "patience", "max_events", "luck")
 _SETTINGS = (*_VARIED, *_FIXED)
 #: The ways to write the hypotheses of a test.
 _HYPOTHESES = ("shares", "elo")
@@ -416,6 +417,8 @@ def _check_setting(place: str, key: str, value: Any) -> None:
             raise InputError("out-of-range", place, f"{value!r} is not a time", "write seconds > 0")
     elif key == "perception":
         _core.read_number(value, place)
+    elif key == "luck":
+        luck_draws(value, place)
     elif key == "miss":
         if not isinstance(value, bool):
             _core.wrong_type(value, place, "true or false")

@@ -5,12 +5,13 @@ from __future__ import annotations
 import hashlib
 import hmac
 import json
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
 from carom import __version__
+from carom.arena.fresh_errors import frame_luck
 from carom.arena.tournament_file import Condition, Event, TournamentFile
 from carom.arena.tournament_schedule import (
     Encounter,
@@ -92,12 +93,14 @@ class FrameResult:
         breaker: The player who began it: 0 or 1.
         points: The points of player 0: 1, ½ or 0; None if the frame does not count.
         reason: Why it ended.
+        luck: The luck of player 0, in points; None if it was not measured.
     """
 
     number: int
     breaker: int
     points: float | None
     reason: str
+    luck: float | None = None
 
     @classmethod
     def of(cls, line: Mapping[str, Any]) -> FrameResult:
@@ -108,7 +111,29 @@ class FrameResult:
             line["seats"][0],
             None if points is None else float(points[0]),
             line["end"]["reason"],
+            frame_luck(line),
         )
+
+
+#: The points of a player in a pair, 0 to 2, and its luck, in points; None if it was not measured.
+PairResult = tuple[float, float | None]
+
+
+def pair_results(frames: Sequence[FrameResult]) -> list[PairResult]:
+    """The results of player 0 in the pairs that count."""
+    found: list[PairResult] = []
+    for first, second in zip(frames[::2], frames[1::2], strict=True):
+        if first.points is not None and second.points is not None:
+            measured = first.luck is not None and second.luck is not None
+            luck = (first.luck or 0.0) + (second.luck or 0.0) if measured else None
+            found.append((first.points + second.points, luck))
+    return found
+
+
+def of_other(pair: PairResult) -> PairResult:
+    """The same pair for player 1."""
+    points, luck = pair
+    return 2 - points, None if luck is None else -luck
 
 
 def _lines(path: Path) -> list[bytes]:

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING, Any, Self
 
 from carom import _core
-from carom.arena.result import TestResult
+from carom.arena.result import AdjustedShare, TestResult, with_adjusted
+from carom.arena.tournament_folder import of_other, pair_results
 from carom.columns import lines
 
 if TYPE_CHECKING:
-    from carom.arena.tournament_folder import FrameResult, TournamentFolder
+    from carom.arena.tournament_folder import FrameResult, PairResult, TournamentFolder
     from carom.arena.tournament_schedule import Encounter
 
 # Error probabilities of a sequential test, as in `play_match`.
 _ERROR_RATE = 0.05
+# Confidence level of the shares corrected for luck.
+_LEVEL = 0.95
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,11 +30,14 @@ class Standing:
         player: Its name.
         frames: Number of its frames that count.
         points: Its points: 1 for a won frame, ½ for a drawn one.
+        adjusted: Its share corrected for luck, at 95 % confidence; None if the luck was not
+            measured in all its pairs.
     """
 
     player: str
     frames: int
     points: float
+    adjusted: AdjustedShare | None = None
 
     @property
     def share(self) -> float:
@@ -109,6 +116,7 @@ class TournamentResult:
     def read(cls, folder: TournamentFolder) -> Self:
         """The result of what the folder has now."""
         tables: dict[str, dict[str, list[float]]] = {}
+        paired: dict[str, dict[str, list[PairResult]]] = {}
         titles: dict[str, str] = {}
         tests: list[TestOfChange] = []
         pairs, finished = 0, True
@@ -128,8 +136,14 @@ class TournamentResult:
                     one, other = each.players
                     table.setdefault(one, []).append(frame.points)
                     table.setdefault(other, []).append(1 - frame.points)
+            of_pairs = paired.setdefault(condition.key, defaultdict(list))
+            for pair in pair_results(frames):
+                of_pairs[each.players[0]].append(pair)
+                of_pairs[each.players[1]].append(of_other(pair))
         standings = tuple(
-            Standings(titles[key], _ranked(table)) for key, table in tables.items() if table
+            Standings(titles[key], _ranked(table, paired[key]))
+            for key, table in tables.items()
+            if table
         )
         finished &= all(
             len(folder.rounds(event, condition)) == event.rounds
@@ -150,19 +164,25 @@ class TournamentResult:
         state = "finished" if self.finished else "not finished"
         text = [f"{self.pairs} pairs of frames, {self.pairs_now} of them now; {state}"]
         for each in self.standings:
-            rows = [("player", "frames", "points", "share")]
+            rows: list[tuple[str, ...]] = [("player", "frames", "points", "share")]
             rows += [
                 (row.player, f"{row.frames}", f"{row.points:g}", f"{100 * row.share:.1f} %")
                 for row in each.players
             ]
-            text += ["", each.condition, *lines(rows, right_aligned={1, 2, 3})]
+            rows = with_adjusted(rows, [row.adjusted for row in each.players])
+            text += ["", each.condition, *lines(rows, right_aligned={1, 2, 3, 4, 6})]
         if self.tests:
             text += ["", *map(str, self.tests)]
         return "\n".join(text)
 
 
-def _ranked(table: dict[str, list[float]]) -> tuple[Standing, ...]:
-    found = [Standing(name, len(points), sum(points)) for name, points in table.items()]
+def _ranked(
+    table: dict[str, list[float]], paired: dict[str, list[PairResult]]
+) -> tuple[Standing, ...]:
+    found = [
+        Standing(name, len(points), sum(points), AdjustedShare.of(paired[name], _LEVEL))
+        for name, points in table.items()
+    ]
     return tuple(sorted(found, key=lambda row: (-row.share, row.player)))
 
 
@@ -186,7 +206,6 @@ def _test(each: Encounter, frames: Sequence[FrameResult]) -> TestOfChange:
 def pair_counts(frames: Sequence[FrameResult]) -> list[int]:
     """Numbers of pairs in which player 0 has 0, ½, 1, 1½ and 2 points; only pairs that count."""
     counts = [0] * 5
-    for first, second in zip(frames[::2], frames[1::2], strict=True):
-        if first.points is not None and second.points is not None:
-            counts[int(2 * (first.points + second.points))] += 1
+    for points, _ in pair_results(frames):
+        counts[int(2 * points)] += 1
     return counts

@@ -41,9 +41,14 @@ def ratings(
 def _csv(tables: tuple[RatingTable, ...]) -> str:
     text = io.StringIO()
     out = csv.writer(text, lineterminator="\n")
-    out.writerow(("condition", "player", "elo", "low", "high", "frames", "share"))
+    heads = ("condition", "player", "elo", "low", "high", "frames", "share")
+    out.writerow((*heads, "adjusted_share", "adjusted_low", "adjusted_high"))
     for table in tables:
         for row in table.players:
             numbers = (row.elo, row.low, row.high, row.frames, row.share)
-            out.writerow((table.condition, row.player, *numbers))
+            adjusted = row.adjusted
+            corrected = (
+                ("", "", "") if adjusted is None else (adjusted.share, *adjusted.share_interval)
+            )
+            out.writerow((table.condition, row.player, *numbers, *corrected))
     return text.getvalue().rstrip("\n")
