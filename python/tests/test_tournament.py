@@ -5,6 +5,7 @@ from __future__ import annotations
 import copy
 import hashlib
 import json
+import pickle
 import subprocess
 import sys
 from pathlib import Path
@@ -15,6 +16,7 @@ import jsonschema
 import pytest
 from carom import InputError
 from carom.arena import Tournament
+from carom.arena.named_players import named_player
 from carom.arena.tournament_schedule import Round, swiss_round
 
 if TYPE_CHECKING:
@@ -106,6 +108,7 @@ PROGRAM = """
 import json, os, signal, sys, time
 from pathlib import Path
 from carom.arena import Tournament
+from carom.arena.named_players import named_player
 
 file = json.loads(sys.argv[1])
 
@@ -235,6 +238,23 @@ def test_players_are_also_objects_and_classes_in_files(tmp_path: Path) -> None:
     assert table.players[0].player == "greedy:10"
     assert table.players[0].points == 4
     assert {row.player for row in table.players} == {"conceder", "mine", "greedy:10"}
+
+
+def test_files_of_one_name_in_two_folders_are_two_players(tmp_path: Path) -> None:
+    # Seen: an old and a new version of mine.py met, and one module replaced the other.
+    for folder in ("old", "new"):
+        (tmp_path / folder).mkdir()
+        (tmp_path / folder / "mine.py").write_text(
+            f"class Mine:\n    name = {folder!r}\n\nclass Other(Mine):\n    pass\n"
+            "def choose(self, situation):\n    return 'concede'\n\nMine.choose = choose\n"
+        )
+    old, new, other = (
+        named_player("one", word, tmp_path)
+        for word in ("old/mine.py:Mine", "new/mine.py:Mine", "old/mine.py:Other")
+    )
+    assert (old.name, new.name) == ("old", "new")
+    for player in (old, new, other):
+        assert pickle.loads(pickle.dumps(player)) is player
 
 
 def test_a_changed_player_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -13,6 +13,8 @@ from carom.files import shown
 #: The files that were loaded, by the names of their modules. A process that unpickles a player of
 #: such a file has to load it first.
 FILES: dict[str, Path] = {}
+# When each of these files was changed last, ns.
+_CHANGED: dict[str, int] = {}
 
 
 def load_file(argument: str, path: Path) -> ModuleType:
@@ -29,14 +31,17 @@ def load_file(argument: str, path: Path) -> ModuleType:
         raise InputError(
             "missing", argument, f"there is no file {shown(path)}", "check the path of the file"
         )
-    # A name of its own, so that a file called like a module of another library hides nothing.
-    key = f"carom_player_{path.stem}"
+    resolved = path.resolve()
+    key, changed = _module_name(resolved), resolved.stat().st_mtime_ns
+    if _CHANGED.get(key) == changed:
+        # Two players of one file are in one module, so that both can be pickled.
+        return sys.modules[key]
     spec = util.spec_from_file_location(key, path)
     assert spec is not None
     assert spec.loader is not None
     module = util.module_from_spec(spec)
     sys.modules[key] = module
-    sys.path.insert(0, str(path.resolve().parent))
+    sys.path.insert(0, str(resolved.parent))
     try:
         spec.loader.exec_module(module)
     except Exception as error:
@@ -47,5 +52,19 @@ def load_file(argument: str, path: Path) -> ModuleType:
             f"{shown(path)} does not run ({line})",
             f"run python {shown(path)} for its traceback",
         ) from error
-    FILES[key] = path.resolve()
+    FILES[key], _CHANGED[key] = resolved, changed
     return module
+
+
+def _module_name(path: Path) -> str:
+    """The name of the module of a file.
+
+    It differs from the names of other libraries' modules, and from those of files in other folders
+    that are called like this one: an old and a new version of a player can meet.
+    """
+    stem, number = f"carom_player_{path.stem}", 1
+    key = stem
+    while FILES.get(key, path) != path:
+        number += 1
+        key = f"{stem}_{number}"
+    return key
