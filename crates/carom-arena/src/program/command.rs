@@ -14,7 +14,7 @@ use sha2::{Digest, Sha256};
 use super::confinement::Confinement;
 use super::limits::ProgramLimits;
 use crate::built_in::{read_settings, written_settings};
-use crate::protocol::ProtocolSettings;
+use crate::protocol::{MOST_PLAYS, ProtocolSettings};
 use crate::secret::hex;
 use crate::settings::{LONGEST_NAME, PlayerEntry};
 
@@ -148,7 +148,8 @@ fn limits_of(settings: &Reader<'_>) -> Result<(ProgramLimits, ProtocolSettings),
     if let Some(seconds) = whole("cpu", i64::from(u32::MAX))? {
         limits.cpu_seconds = seconds as u32;
     }
-    let menu = whole("menu", i64::from(u32::MAX))?.unwrap_or(0) as u32;
+    let menu = settings.get("menu").map(|value| value.whole(0, i64::from(MOST_PLAYS)));
+    let menu = menu.transpose()?.unwrap_or(0) as u32;
     let protocol = ProtocolSettings { menu, ..ProtocolSettings::default() };
     protocol.check().map_err(|error| error.inside("player"))?;
     Ok((limits, protocol))

@@ -17,7 +17,7 @@ use super::plays::play_node;
 const SIMULATIONS: u32 = 600;
 
 /// Most plays of a menu: more would have too few samples.
-pub(super) const MOST_PLAYS: u32 = 20;
+pub(crate) const MOST_PLAYS: u32 = 20;
 
 /// The numbered answers of a request.
 #[derive(Clone, Debug, Default)]
