@@ -66,12 +66,8 @@ def unit(vectors: Array) -> tuple[Array, Array]:
 def learn(weights: Array, rival: Array, generations: int, seed: int) -> Array:
     """The weights after some generations against an earlier snapshot."""
     rng, count = np.random.default_rng(seed), ENVIRONMENTS // 2
-    rewards = carom.env.Rewards(win=1.0, pot=0.5, foul=-0.2)
-    play: dict[str, Any] = {
-        "rewards": rewards,
-        "opponent": partial(act, rival),
-        "seat": "alternate",
-    }
+    play: dict[str, Any] = {"opponent": partial(act, rival), "seat": "alternate"}
+    play["rewards"] = carom.env.Rewards(win=1.0, pot=0.5, foul=-0.2)
     start: dict[str, Any] = {"num_envs": ENVIRONMENTS, "balls": (2, 4), "noise": NOISE}
     envs: Any = gymnasium.make_vec("carom/NineBall-v3", **start, **play, **SETTINGS)
     for generation in range(generations):

@@ -165,6 +165,7 @@ def test_settings_of_a_player_stand_in_its_name(tmp_path: Path) -> None:
     result = carom.play_match(name, "carom:40", out=tmp_path / "m", game="nine-ball", pairs=1)
     entry = header_of(result)["players"][0]
     assert entry["name"] == name
+    assert len(entry["settings"].pop("decisions")) == 16
     assert entry["settings"] == {"player": "carom", "settings": {"shift": False, "value": "markov"}}
 
 

@@ -64,7 +64,7 @@ def fastfiz(
             raise InputError(
                 "conflict", "strike", "the log has a shot for this state", "leave it out"
             )
-        state = state._replace(strike=[*strike])
+        state = state._replace(strike=[*numbers("strike", strike, 5)])
     return _converted(state, notes, tolerance)
 
 
