@@ -11,6 +11,7 @@ match = {}  # what the referee said of the table, the balls and the pockets
 
 
 def minus(a, b):
+    """The vector from b to a."""
     return (a[0] - b[0], a[1] - b[1])
 
 
