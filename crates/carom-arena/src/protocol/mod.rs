@@ -15,6 +15,7 @@ mod text;
 
 pub use channel::{ChannelFault, LONGEST_LINE, LineChannel};
 pub use greeting::{Greeting, PROTOCOL};
+#[cfg(all(feature = "programs", target_os = "linux"))]
 pub(crate) use menu::MOST_PLAYS;
 pub use player::{ProtocolPlayer, ProtocolSettings};
 pub(crate) use plays::play_node;
