@@ -25,7 +25,7 @@ pub struct Successor {
 }
 
 /// The frames that follow the `variants` of a play with drawn errors, in order. They are the variants of
-/// [`crate::evaluate`] with the same errors. The result does not depend on the number of threads.
+/// [`crate::evaluate()`] with the same errors. The result does not depend on the number of threads.
 ///
 /// # Errors
 /// [`Error::Input`] if the frame does not allow the play, for errors out of range, and for a variant that
