@@ -11,7 +11,8 @@ import { t } from "../../words/translate.ts";
 
 /** Whether a text is the record of a match: JSON on each line, of which the first names the format. */
 export function isMatchText(text: string): boolean {
-  return /^\s*\{[^\n]{0,200}?"format"\s*:\s*"carom-match\//.test(text);
+  // The format is the first key that is written.
+  return /^\s{0,9}\{\s{0,9}"format"\s{0,9}:\s{0,9}"carom-match\//.test(text);
 }
 
 /** The names of the two players, which differ and fit into the score. */
