@@ -65,7 +65,11 @@ function searching(): {
 test("a layout is valued in the game that fits it best", () => {
   const games = (...ids: string[]) => gamesFor(engine, engine.shot(file(ids)));
   expect(games("cue", "9", "1", "3")[0]).toBe("nine-ball");
-  expect(games("cue", "8", "12", "3")).toEqual(["eight-ball", "straight-pool", "chinese-eight-ball"]);
+  expect(games("cue", "8", "12", "3")).toEqual([
+    "eight-ball",
+    "straight-pool",
+    "chinese-eight-ball",
+  ]);
   expect(games("cue", "4", "5")).toEqual(["straight-pool"]);
   expect(games("cue", "4")).toEqual(["practice"]);
   expect(games("cue", "mine")).toEqual([]);
