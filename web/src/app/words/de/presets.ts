@@ -23,7 +23,7 @@ export const texts: Translation<typeof en.presets> = {
   "preset.english-7ft": "Engl. Pool, 7 Fuß",
   "preset.carom-10ft": "Karambol, 10 Fuß",
   "preset.carom-9ft": "Karambol, 9 Fuß",
-  "preset.chinese-9ft": "Chinesisches 8-Ball, 9 Fuß",
+  "preset.chinese-9ft": "Chin. 8-Ball, 9 Fuß",
   "preset.dated": "{name}, {month}",
   "preset.earlier": "Frühere Werte",
 

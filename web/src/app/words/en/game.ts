@@ -7,7 +7,7 @@ export const texts = {
   "setup.new-rack": "A new rack",
   "setup.as-they-lie": "The balls as they lie, on this table",
   "setup.table": "Table",
-  "setup.usual-table": "The game’s own ({table})",
+  "setup.usual-table": "The usual one ({table})",
   "setup.this-table": "This one, with its physics",
   "setup.seed": "Seed of the rack",
   "setup.shuffle": "Shuffle",

@@ -21,7 +21,7 @@ export const texts = {
   "preset.english-7ft": "English pool, 7 ft",
   "preset.carom-10ft": "Carom, 10 ft",
   "preset.carom-9ft": "Carom, 9 ft",
-  "preset.chinese-9ft": "Chinese eight-ball, 9 ft",
+  "preset.chinese-9ft": "Chinese pool, 9 ft",
   "preset.dated": "{name}, {month}",
   "preset.earlier": "Earlier values",
 
