@@ -72,6 +72,7 @@ from carom.trace import Snapshot, Trace
 if TYPE_CHECKING:
     from carom import bench as bench
     from carom import convert as convert
+    from carom import learn as learn
     from carom import page as page
     from carom import picture as picture
     from carom import serve as serve
@@ -157,7 +158,7 @@ def _png_of(found: object, dots_per_inch: int) -> bytes:
 notebook._drawn["png"] = _png_of
 
 # Modules that few programs use; they are imported when they are first used.
-_LAZY_MODULES = {"bench", "convert", "page", "picture", "serve"}
+_LAZY_MODULES = {"bench", "convert", "learn", "page", "picture", "serve"}
 _LAZY_NAMES = {"Sweep": "carom.sweeps", "sweep": "carom.sweeps"}
 
 

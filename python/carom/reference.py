@@ -76,19 +76,20 @@ def physics() -> list[dict[str, Any]]:
 
 
 def schema(
-    kind: Literal["shot", "trace", "play", "sweep", "tournament", "arena"] = "shot",
+    kind: Literal["shot", "trace", "play", "sweep", "tournament", "arena", "tracks"] = "shot",
 ) -> dict[str, Any]:
-    """The JSON Schema of a shot file, a trace, a play, a sweep's spec, or a tournament's file.
+    """The JSON Schema of a shot file, a trace, a play, or another kind of file.
 
-    ``arena`` is that of the messages between a referee and a program, ``carom-arena/1``: its
-    ``$defs`` have one for each message.
+    ``sweep`` is that of a sweep's spec, ``tournament`` that of a tournament's file, and ``tracks``
+    that of the header of tracks. ``arena`` is that of the messages between a referee and a program,
+    ``carom-arena/1``: its ``$defs`` have one for each message.
 
     ``Frame.answer_schema`` gives that of the answers to a frame's present request.
 
     Raises:
         InputError: There is no schema of that name.
     """
-    if checked("kind", kind, '"shot"') in ("sweep", "tournament"):
+    if checked("kind", kind, '"shot"') in ("sweep", "tournament", "tracks"):
         path = Path(__file__).with_name("data") / f"carom-{kind}-1.json"
         text = path.read_text(encoding="utf-8")
     elif kind in ("shot", "trace", "play", "arena"):
@@ -98,7 +99,7 @@ def schema(
             "unknown-name",
             "kind",
             f'there is no schema "{kind}"',
-            'write "shot", "trace", "play", "sweep", "tournament" or "arena"',
+            'write "shot", "trace", "play", "sweep", "tournament", "arena" or "tracks"',
         )
     result: dict[str, Any] = json.loads(text)
     return result

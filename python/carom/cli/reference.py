@@ -95,12 +95,13 @@ def schema(
     kind: Annotated[
         str,
         typer.Argument(
-            metavar="[shot|trace|play|sweep|tournament|arena]",
-            help="The kind of file; arena is that of the messages of programs.",
+            metavar="[shot|trace|play|sweep|tournament|arena|tracks]",
+            help="The kind of file; arena is that of the messages of programs, tracks that of the "
+            "header of tracks.",
         ),
     ] = "shot",
 ) -> None:
-    """Print the JSON Schema of a shot, a trace, a play, a sweep, a tournament, or messages."""
+    """Print the JSON Schema of a shot, a trace, a play, or another kind of file."""
     emit(js.dumps(carom.schema(kind), indent=2))  # type: ignore[arg-type] # checked there
 
 

@@ -1,0 +1,29 @@
+"""Learning a table and its players from tracks: where a camera saw the balls over time.
+
+tracks = carom.learn.read_tracks("match.csv.gz")
+tracks["12"].balls["cue"].position      # (n, 2), m, in the table's frame
+print(tracks.findings)                  # what was assumed, repaired or left out
+
+Parquet needs pyarrow: ``pip install 'carom[learn]'``.
+"""
+
+from carom.learn.findings import Finding
+from carom.learn.header import FileFrame, TracksHeader
+from carom.learn.read import read_tracks
+from carom.learn.synthetic import SyntheticTracks, TrueContact, synthetic
+from carom.learn.tracks import TrackedBall, TrackedShot, Tracks
+from carom.learn.write import write_tracks
+
+__all__ = [
+    "FileFrame",
+    "Finding",
+    "SyntheticTracks",
+    "TrackedBall",
+    "TrackedShot",
+    "Tracks",
+    "TracksHeader",
+    "TrueContact",
+    "read_tracks",
+    "synthetic",
+    "write_tracks",
+]
