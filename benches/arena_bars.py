@@ -19,7 +19,7 @@ from statistics import NormalDist
 from typing import Any
 
 import numpy as np
-from carom import _core
+from carom.arena import SequentialTest
 from carom.arena.bradley_terry import ELO, Game, fit
 from carom.files import write_whole
 
@@ -120,7 +120,7 @@ def null_tests(shares: tuple[float, float], correlation: float) -> dict[str, flo
             first, second = correlated(random, correlation)
             # Player 0 begins the first frame; it wins the second one if its beginner loses.
             counts[2 * (int(first < breaker) + int(second > breaker))] += 1
-            accepted = _core.test_state(counts, *shares, 0.05, 0.05)["accepted"]
+            accepted = SequentialTest(*shares).state(counts).accepted
             if accepted is not None:
                 break
         passed += accepted == "p1"

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import inspect
 import json
+import math
 import signal
 import subprocess
 import sys
@@ -13,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 import carom
 import pytest
 from carom import InputError, Noise, Perception, Play, Strike
+from carom.arena import SequentialTest
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -202,6 +205,71 @@ def test_a_test_ends_a_match_that_is_decided(tmp_path: Path) -> None:
     assert "test of 0.4 against 0.9: accepts 0.9" in str(result)
 
 
+def test_a_test_of_normalised_elo_ends_a_match(run: CommandLine, tmp_path: Path) -> None:
+    result = carom.play_match(
+        *("carom:40", "carom"),
+        out=tmp_path / "m",
+        game="nine-ball",
+        pairs=100,
+        clock=1e-9,
+        test=SequentialTest(0, 100, "nelo"),
+    )
+    assert result.test is not None
+    assert (result.test.accepted, result.test.unit) == ("p1", "nelo")
+    assert result.to_dict()["test"]["unit"] == "nelo"
+    assert "test of 0 against 100 normalised Elo: accepts 100" in str(result)
+    assert f"normalised {result.score.nelo:+.0f} (" in str(result)
+    done = run(
+        *("match", "carom:40", "carom", "--game", "nine-ball", "--clock", "1e-9"),
+        *("--pairs", "100", "--test", "nelo:0,100", "--out", "n", "--json"),
+    )
+    assert done.returncode == 0, done.stderr
+    found = json.loads(done.stdout)
+    assert (found["test"]["p1"], found["test"]["accepted"]) == (100, "p1")
+    assert found["pairs"] == result.played_pairs
+
+
+def test_the_state_of_a_test_follows_from_counts_of_pairs() -> None:
+    test = SequentialTest(0, 30, "nelo")
+    assert test.state([0] * 5).accepted is None
+    assert test.state([10, 0, 100, 0, 60]).accepted == "p1"
+    assert test.state([60, 0, 100, 0, 10]).accepted == "p0"
+    # The formula of the docs, with ten pairs of variance 1/8.
+    counts, scale = [4, 3, 30, 6, 9], 800 / math.log(10)
+    pairs = sum(counts)
+    shares = [0.25 * k for k, count in enumerate(counts) for _ in range(count)]
+    mean = sum(shares) / pairs
+
+    def variance(about: float) -> float:
+        return (sum((x - about) ** 2 for x in shares) + 1.25) / (pairs + 10)
+
+    bounds = [0.5 + nelo / scale * math.sqrt(2 * variance(mean)) for nelo in (0, 30)]
+    llr = pairs / 2 * math.log(variance(bounds[0]) / variance(bounds[1]))
+    assert test.state(counts).llr == pytest.approx(llr)
+    for wrong, place in (
+        (lambda: SequentialTest(0.5, 0.6, "points"), "test.unit"),
+        (lambda: SequentialTest(30, 0, "nelo"), "test.p1"),
+        (lambda: SequentialTest(0, 3000, "nelo"), "test.p1"),
+        (lambda: SequentialTest(0, 30), "test.p0"),
+        (lambda: SequentialTest(0.5, 0.6, alpha=0.7), "test.alpha"),
+        (lambda: test.state([1, 2, 3]), "pair_counts"),
+    ):
+        refused(place, wrong)
+
+
+def test_a_plan_has_the_settings_and_defaults_of_a_match() -> None:
+    played = inspect.signature(carom.play_match).parameters
+    planned = inspect.signature(carom.arena.MatchPlan).parameters
+    # The other arguments say how the match is run.
+    assert set(played) - set(planned) == {"out", "level", "threads", "processes", "progress"}
+    for name, parameter in planned.items():
+        assert (parameter.default, parameter.annotation, parameter.kind) == (
+            played[name].default,
+            played[name].annotation,
+            played[name].kind,
+        ), name
+
+
 # Errors.
 
 
@@ -232,6 +300,7 @@ def test_a_test_ends_a_match_that_is_decided(tmp_path: Path) -> None:
         ("disclosure", {"disclosure": "all"}),
         ("test", {"test": 0.5}),
         ("test.p1", {"test": (0.6, 0.5)}),
+        ("test", {"test": "0.5,0.6"}),
         ("secret", {"secret": "12"}),
         ("miss", {"miss": "yes"}),
         ("level", {"level": 1.0}),

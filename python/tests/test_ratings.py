@@ -11,8 +11,8 @@ from typing import TYPE_CHECKING, Any
 import choix
 import numpy as np
 import pytest
-from carom import InputError, _core
-from carom.arena import Tournament, ratings
+from carom import InputError
+from carom.arena import SequentialTest, Tournament, ratings
 from carom.arena.bradley_terry import ELO, Game, fit
 from numpy.typing import NDArray
 
@@ -115,16 +115,16 @@ def test_few_null_tests_pass() -> None:
     passed = 0
     for _ in range(200):
         counts = [0] * 5
-        state: dict[str, Any] = {"accepted": None}
-        while state["accepted"] is None:
+        accepted: str | None = None
+        while accepted is None:
             first, second = random.normal(size=2)
             second = 0.4 * first + np.sqrt(1 - 0.4**2) * second
             breaker = NORMAL.inv_cdf(0.6)
             # Player 0 breaks first; in the other frame it wins if the breaker loses.
             counts[2 * (int(first < breaker) + int(second > breaker))] += 1
             if sum(counts) % 10 == 0:
-                state = _core.test_state(counts, 0.5, 0.6, 0.05, 0.05)
-        passed += state["accepted"] == "p1"
+                accepted = SequentialTest(0.5, 0.6).state(counts).accepted
+        passed += accepted == "p1"
     assert passed <= 10
 
 

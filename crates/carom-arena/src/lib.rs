@@ -100,7 +100,7 @@ pub use score::{
     AdjustedPairs, AdjustedShare, FramePoints, MatchScore, PairScores, elo_of_share, share_of_elo,
 };
 pub use secret::{PairSeeds, Secret};
-pub use sequential::{Hypothesis, SequentialTest, TestState};
+pub use sequential::{Hypothesis, SequentialTest, TestState, TestUnit};
 pub use settings::{Breaker, Disclosure, Match, MatchSettings, PlayerEntry, PlayerIndex};
 pub use thinking_time::{ThinkingTime, TimeLimit};
 pub use tournament::play_match;

@@ -188,5 +188,13 @@ fn a_header_reads_back_to_the_same_settings() {
     assert_eq!((again.test, again.pairs), (Some(test), 50));
     let Some(carom::format::Node::Text(physics)) = node.get("physics") else { panic!("{node:?}") };
     assert!(physics.starts_with("pool-worn-cloth-20"), "{physics}");
-    assert_eq!(lines(&node.to_json_line()), [node]);
+    assert_eq!(lines(&node.to_json_line()), [node.clone()]);
+    // A test of shares has no unit, one of normalised Elo has.
+    assert!(node.get("test").unwrap().get("unit").is_none());
+    let test = SequentialTest::of_normalised_elo(-5.0, 25.0).unwrap();
+    let header = MatchHeader::new(header.of, 50, Some(test), "00".into());
+    let again = MatchHeader::from_node(&header.to_node()).unwrap();
+    assert_eq!(again.test, Some(test));
+    let unit = header.to_node().get("test").and_then(|test| test.get("unit").cloned());
+    assert_eq!(unit, Some("nelo".into()));
 }

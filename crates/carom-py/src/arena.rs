@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::{Mutex, PoisonError};
 
-use carom::format::Node;
+use carom::format::{Node, Reader};
 use carom::runner::Runner;
 use carom_arena::{
     AdjustedPairs, AdjustedShare, ArenaError, BuiltInPlayer, Hypothesis, LuckSettings, MatchPlan,
     MatchReport, MatchScore, PairScores, PlayedPair, PlayerEntry, Replay, Secret, SequentialTest,
-    TestState, elo_of_share,
+    TestState, TestUnit, elo_of_share,
 };
 use carom_plan::{Interval, Progress, check_level};
 use carom_rules::FrameSimulator;
@@ -39,6 +39,8 @@ struct ScoreFields {
     wins_interval: (f64, f64),
     elo: f64,
     elo_interval: (f64, f64),
+    nelo: f64,
+    nelo_interval: (f64, f64),
     pairing_ratio: Option<f64>,
     reasons: BTreeMap<&'static str, u64>,
     adjusted: Option<AdjustedFields>,
@@ -77,6 +79,11 @@ impl ScoreFields {
             wins_interval: ends(wins_interval),
             elo: elo_of_share(share),
             elo_interval: (elo_of_share(interval.low), elo_of_share(interval.high)),
+            nelo: score.pairs.normalised_elo(share),
+            nelo_interval: (
+                score.pairs.normalised_elo(interval.low),
+                score.pairs.normalised_elo(interval.high),
+            ),
             pairing_ratio: score.pairs.pairing_ratio(score.frames),
             reasons: score.reasons.iter().map(|(reason, n)| (reason.name(), *n)).collect(),
             adjusted: AdjustedFields::new(&score.adjusted, level),
@@ -378,8 +385,14 @@ pub(crate) fn test_state(
     p1: f64,
     alpha: f64,
     beta: f64,
+    unit: &str,
 ) -> PyResult<TestFields> {
-    let test = SequentialTest { p0, p1, alpha, beta };
+    let Some(unit) = TestUnit::named(unit) else {
+        let known = TestUnit::ALL.map(TestUnit::name);
+        let error = Reader::new(&Node::Null, "test.unit").unknown_word(unit, "unit", &known);
+        return Err(to_exception(py, &error));
+    };
+    let test = SequentialTest { p0, p1, unit, alpha, beta };
     test.check().map_err(|error| to_exception(py, &error))?;
     Ok(test.state(&PairScores { counts }).into())
 }
@@ -390,4 +403,11 @@ pub(crate) fn pair_interval(py: Python<'_>, counts: [u64; 5], level: f64) -> PyR
     check_level(level).map_err(|e| to_exception(py, &e))?;
     let interval = PairScores { counts }.interval(level);
     Ok((interval.low, interval.high))
+}
+
+/// The difference of normalised Elo that belongs to a share of the points, from the numbers of pairs
+/// with 0, ½, 1, 1½ and 2 points.
+#[pyfunction]
+pub(crate) fn normalised_elo(counts: [u64; 5], share: f64) -> f64 {
+    PairScores { counts }.normalised_elo(share)
 }

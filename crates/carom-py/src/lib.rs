@@ -32,8 +32,8 @@ mod _core {
 
     #[pymodule_export]
     use crate::arena::{
-        OpenMatch, adjusted_share, pair_interval, play_match, play_pair, player_entry,
-        replay_match, test_state,
+        OpenMatch, adjusted_share, normalised_elo, pair_interval, play_match, play_pair,
+        player_entry, replay_match, test_state,
     };
     #[pymodule_export]
     use crate::arena_check::check_player;

@@ -9,7 +9,8 @@ from carom.arena.pair import OpenMatch, PlayedPair, play_pair
 from carom.arena.plan import MatchPlan
 from carom.arena.player_check import CheckReport, CheckVerdict, check
 from carom.arena.replay import MatchReplay, luck, replay_match
-from carom.arena.result import AdjustedShare, MatchResult, Score, TestResult
+from carom.arena.result import AdjustedShare, MatchResult, Score
+from carom.arena.sequential import SequentialTest, TestResult
 from carom.arena.tournament import Tournament
 from carom.arena.tournament_result import Standing, Standings, TestOfChange, TournamentResult
 
@@ -26,6 +27,7 @@ __all__ = [
     "Rating",
     "RatingTable",
     "Score",
+    "SequentialTest",
     "Standing",
     "Standings",
     "TestOfChange",

@@ -126,9 +126,9 @@ class RatingTable:
         contrast = np.zeros(len(self._names))
         contrast[self._names.index(one)] += 1
         contrast[self._names.index(other)] -= 1
-        rating = {row.player: row.elo for row in self.players}
+        elo = {row.player: row.elo for row in self.players}
         half = _half_width(contrast, self._covariance, self.level)
-        found = rating[one] - rating[other]
+        found = elo[one] - elo[other]
         return found, found - half, found + half
 
     def to_dict(self) -> dict[str, Any]:
@@ -156,20 +156,20 @@ class RatingTable:
         rows += [
             (
                 row.player,
-                f"{row.elo:+.0f}",
-                f"{row.low:+.0f} to {row.high:+.0f}",
+                rating(row.elo),
+                f"{rating(row.low)} to {rating(row.high)}",
                 f"{row.frames}",
                 f"{100 * row.share:.1f} %",
             )
             for row in self.players
         ]
         rows = with_adjusted(rows, [row.adjusted for row in self.players])
-        elo, low, high = self.breaker
+        elo, low, high = map(rating, self.breaker)
         return "\n".join(
             [
                 self.condition,
                 *lines(rows, right_aligned={1, 2, 3, 4, 5, 7}),
-                f"advantage of the breaker {elo:+.0f} ({low:+.0f} to {high:+.0f}); "
+                f"advantage of the breaker {elo} ({low} to {high}); "
                 f"{self.pairs} pairs, intervals at {100 * self.level:g} % confidence",
             ]
         )
@@ -192,7 +192,7 @@ def ratings(folder: str | os.PathLike[str], *, level: float = 0.95) -> tuple[Rat
     games: dict[str, list[Game]] = {}
     titles: dict[str, str] = {}
     for each in found.encounters():
-        if each.event.shares is not None:
+        if each.event.test is not None:
             continue
         titles[each.condition.key] = each.condition.title
         of_condition = games.setdefault(each.condition.key, [])
@@ -246,7 +246,8 @@ def fit(games: Sequence[Game], condition: str = "", level: float = 0.95) -> Rati
     return RatingTable(
         condition,
         level,
-        tuple(sorted(table, key=lambda row: (-row.elo, row.player))),
+        # Ratings that are equal but for rounding are in the order of the names.
+        tuple(sorted(table, key=lambda row: (-round(row.elo, 6), row.player))),
         (advantage, advantage - half, advantage + half),
         len({game.pair for game in games}),
         tuple(names),

@@ -13,6 +13,7 @@ from carom.arena.plan import MatchPlan
 from carom.arena.processes import check, play_in_processes
 from carom.arena.result import MatchResult
 from carom.arguments import number, thread_count
+from carom.arena.sequential import SequentialTest
 from carom.build import Physics, Table
 from carom.errors import InputError
 from carom.files import checked_path
@@ -44,7 +45,7 @@ def play_match(
     breaker: str | int = "alternate",
     same_break: Play | None = None,
     disclosure: str = "both",
-    test: tuple[float, float] | None = None,
+    test: SequentialTest | tuple[float, float] | None = None,
     secret: str | None = None,
     points: int = DEFAULT_OPTIONS.points,
     miss: bool = DEFAULT_OPTIONS.miss,
@@ -93,9 +94,10 @@ def play_match(
         same_break: The intended break of both players; None if they choose it.
         disclosure: The players whose errors a player knows: ``"both"``, ``"own"`` or
             ``"nothing"``.
-        test: Two expected shares of the points of the first player, such as ``(0.5, 0.55)``. A
-            sequential test ends the match when it accepts one of them, each with an error
-            probability of 0.05.
+        test: Two expected shares of the points of the first player, such as ``(0.5, 0.55)``; or a
+            ``carom.arena.SequentialTest``, such as ``SequentialTest(0, 30, "nelo")``. A sequential
+            test ends the match when it accepts one of the two hypotheses; of shares each has an
+            error probability of 0.05.
         secret: 64 hexadecimal digits that determine all racks and errors, to repeat a match; None
             for a secret of the operating system.
         points: As for ``Frame``.

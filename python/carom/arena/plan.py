@@ -5,14 +5,15 @@ from __future__ import annotations
 import pickle
 import sys
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any, Self, TypeVar
 
 from carom.arena.contestants import Asking, Contestant, contestant
 from carom.arena.fresh_errors import luck_settings
 from carom.arena.player_files import FILES, load_file
-from carom.arguments import numbers, text, truth, whole
+from carom.arena.same_break import recorded_break
+from carom.arena.sequential import SequentialTest
+from carom.arguments import text, truth, whole
 from carom.build import Physics, Table
 from carom.errors import InputError
 from carom.noise import Noise, Perception, noise_or_default, perception_or_none
@@ -20,14 +21,11 @@ from carom.player import Play, Player
 from carom.player.situation import Chooser
 from carom.player.thinking import seconds
 from carom.reference import DEFAULT_OPTIONS
-from carom.rules import Frame
 
 T = TypeVar("T")
 
 # Thinking time of a frame and player, s: that of the Computational Olympiad.
 _OLYMPIAD = 600.0
-# Error probabilities of a sequential test.
-_ERROR_RATE = 0.05
 
 
 class MatchPlan:
@@ -47,6 +45,7 @@ class MatchPlan:
         players: The two players.
         agreed: The header of the record, without what Rust adds.
         secret: The secret; None if the operating system is to draw it.
+        test: The sequential test that ends the match; None without one.
         strict: Whether an exception of a player stops the match.
 
     Raises:
@@ -71,7 +70,7 @@ class MatchPlan:
         breaker: str | int = "alternate",
         same_break: Play | None = None,
         disclosure: str = "both",
-        test: tuple[float, float] | None = None,
+        test: SequentialTest | tuple[float, float] | None = None,
         secret: str | None = None,
         points: int = DEFAULT_OPTIONS.points,
         miss: bool = DEFAULT_OPTIONS.miss,
@@ -90,7 +89,7 @@ class MatchPlan:
         clocks = _clocks(self.players, budgets)
         noises = _noises(self.players, noise)
         sights = tuple(perception_or_none(each) for each in _each("perception", perception))
-        self.test = None if test is None else _test(test)
+        self.test = SequentialTest.read(test)
         self.game = text("game", game, '"eight-ball"')
         self.agreed: dict[str, Any] = {
             "game": self.game,
@@ -106,10 +105,12 @@ class MatchPlan:
             "perception": [each.to_dict() for each in sights],
             "clock": clocks,
             "breaker": breaker,
-            "same_break": None if same_break is None else _break(same_break, game, table, physics),
+            "same_break": None
+            if same_break is None
+            else recorded_break(same_break, game, table, physics),
             "disclosure": text("disclosure", disclosure, '"both"'),
             "luck": luck_settings(luck),
-            "test": self.test,
+            "test": None if self.test is None else self.test.to_dict(),
             "pairs": whole("pairs", pairs, low=1),
         }
         self.secret = None if secret is None else text("secret", secret, "64 hexadecimal digits")
@@ -219,32 +220,3 @@ def _clocks(
         else:
             clocks.append({"seconds": seconds(name, amount), "per": per})
     return clocks
-
-
-def _break(
-    play: Play,
-    game: str,
-    table: Table | str | Mapping[str, Any] | None,
-    physics: Physics | str | Mapping[str, Any] | None,
-) -> dict[str, Any]:
-    """A break in the form of a record of a match; with the default elevation if it has none."""
-    if not isinstance(play, Play):
-        raise InputError(
-            "wrong-type", "same_break", f"found a {type(play).__name__}", "give carom.Play(...)"
-        )
-    if play.strike.elevation is None:
-        try:
-            shot = play.shot(Frame(game, table=table, physics=physics))
-        except InputError as error:
-            raise error.inside("same_break") from None
-        play = replace(play, strike=replace(play.strike, elevation=shot.elevation))
-    written = play.to_dict()
-    if play.call is not None:
-        call = {"kind": play.call.kind, "ball": play.call.ball, "pocket": play.call.into}
-        written["call"] = {key: value for key, value in call.items() if value is not None}
-    return written
-
-
-def _test(shares: Sequence[float]) -> dict[str, float]:
-    p0, p1 = numbers("test", shares, 2)
-    return {"p0": p0, "p1": p1, "alpha": _ERROR_RATE, "beta": _ERROR_RATE}

@@ -9,6 +9,7 @@ from pathlib import Path
 from typing import Any, Self
 
 from carom import _core
+from carom.arena.sequential import SequentialTest, TestResult, rating
 from carom.columns import cells, left
 from carom.plan.chance import Chance, or_null
 
@@ -17,39 +18,6 @@ _POINTS = ("0", "½", "1", "1½", "2")
 
 def _pairs(count: int) -> str:
     return "1 pair" if count == 1 else f"{count} pairs"
-
-
-@dataclass(frozen=True, slots=True)
-class TestResult:
-    """The state of a sequential test after the pairs so far.
-
-    Attributes:
-        p0: The expected share of the points of the first player under the null hypothesis.
-        p1: The same under the alternative.
-        llr: The log-likelihood ratio.
-        lower: At or below this ratio the test accepts ``p0``.
-        upper: At or above this ratio the test accepts ``p1``.
-        accepted: ``"p0"`` or ``"p1"``; None if play has to go on.
-    """
-
-    p0: float
-    p1: float
-    llr: float
-    lower: float
-    upper: float
-    accepted: str | None
-
-    # The name begins with Test, so pytest would collect the class.
-    __test__ = False
-
-    def __str__(self) -> str:
-        state = "undecided"
-        if self.accepted is not None:
-            state = f"accepts {getattr(self, self.accepted):g}"
-        return (
-            f"test of {self.p0:g} against {self.p1:g}: {state}, "
-            f"log-likelihood ratio {self.llr:.2f} in {self.lower:.2f} to {self.upper:.2f}"
-        )
 
 
 @dataclass(frozen=True, slots=True)
@@ -145,6 +113,10 @@ class Score:
             the frames as independent.
         elo: The difference of Elo ratings that belongs to ``share``; infinite for 0 and 1.
         elo_interval: The same for ``share_interval``.
+        nelo: The difference of normalised Elo (``SequentialTest``) that belongs to ``share``, with
+            the standard deviation of the pairs played. To it are added ten pairs, as to
+            that of the interval, so it is finite.
+        nelo_interval: The same for ``share_interval``.
         pairing_ratio: The variance of a pair, divided by that of two independent frames; None if
             all frames ended the same.
         reasons: Number of frames by the reason of their end.
@@ -163,6 +135,8 @@ class Score:
     win_share: Chance
     elo: float
     elo_interval: tuple[float, float]
+    nelo: float
+    nelo_interval: tuple[float, float]
     pairing_ratio: float | None
     reasons: dict[str, int]
     adjusted: AdjustedShare | None
@@ -185,6 +159,8 @@ class Score:
             win_share=Chance(wins, wins + losses, *fields["wins_interval"]),
             elo=fields["elo"],
             elo_interval=fields["elo_interval"],
+            nelo=fields["nelo"],
+            nelo_interval=fields["nelo_interval"],
             pairing_ratio=fields["pairing_ratio"],
             reasons=fields["reasons"],
             adjusted=None if adjusted is None else AdjustedShare(**adjusted),
@@ -212,6 +188,8 @@ class Score:
             "win_share_interval": [low, high],
             "elo": _finite(self.elo),
             "elo_interval": [_finite(end) for end in self.elo_interval],
+            "nelo": self.nelo,
+            "nelo_interval": list(self.nelo_interval),
             "pairing_ratio": self.pairing_ratio,
             "reasons": self.reasons,
             **({} if self.adjusted is None else {"adjusted": self.adjusted.to_dict()}),
@@ -240,8 +218,8 @@ class Score:
             row(other, f"{frames - points:g}", f"{self.losses}", f"{self.draws}", f"{self.wins}"),
             f"{one} has {100 * self.share:.1f} % ({low:.1f} to {high:.1f}) of the points; "
             f"intervals at {100 * self.level:g} % confidence, from {_pairs(self.pairs)}",
-            f"Elo difference {_rating(self.elo)} "
-            f"({_rating(self.elo_interval[0])} to {_rating(self.elo_interval[1])})",
+            f"Elo difference {_ratings(self.elo, self.elo_interval)}, "
+            f"normalised {_ratings(self.nelo, self.nelo_interval)}",
             f"pairs by points: {counts}",
         ]
         if self.win_share.trials:
@@ -284,16 +262,14 @@ class MatchResult:
         game: str,
         names: tuple[str, str],
         level: float,
-        test: dict[str, float] | None,
+        test: SequentialTest | None,
     ) -> Self:
         """The result from its values in Rust."""
         state = fields["test"]
         return cls(
             game=game,
             score=Score._read(fields["score"], names, level),
-            test=None
-            if state is None or test is None
-            else TestResult(test["p0"], test["p1"], **state),
+            test=None if state is None or test is None else test.result(state),
             record=None if fields["record"] is None else Path(fields["record"]),
             played_pairs=fields["played_pairs"],
             secret_sha256=fields["secret_sha256"],
@@ -306,13 +282,12 @@ class MatchResult:
 
     def to_dict(self) -> dict[str, Any]:
         """Plain values, for JSON."""
-        test = self.test
         return {
             "game": self.game,
             "finished": self.finished,
             "pairs": self.played_pairs,
             **self.score.to_dict(),
-            "test": None if test is None else {name: getattr(test, name) for name in _TEST},
+            "test": None if self.test is None else self.test.to_dict(),
             "record": None if self.record is None else str(self.record),
             "secret_sha256": self.secret_sha256,
         }
@@ -331,13 +306,10 @@ class MatchResult:
         return "\n".join(lines)
 
 
-_TEST = ("p0", "p1", "llr", "lower", "upper", "accepted")
+def _ratings(elo: float, interval: tuple[float, float]) -> str:
+    low, high = interval
+    return f"{rating(elo)} ({rating(low)} to {rating(high)})"
 
 
 def _finite(value: float) -> float | None:
     return value if math.isfinite(value) else None
-
-
-def _rating(elo: float) -> str:
-    """A difference of ratings with its sign."""
-    return f"{elo:+.0f}" if math.isfinite(elo) else ("+∞" if elo > 0 else "−∞")

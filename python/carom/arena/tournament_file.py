@@ -15,6 +15,8 @@ from typing import Any
 
 from carom import _core
 from carom.arena.fresh_errors import luck_draws
+from carom.arena.same_break import read_break, recorded_break
+from carom.arena.sequential import SequentialTest
 from carom.errors import InputError
 from carom.files import read_text, shown
 from carom.noise import Noise, Perception
@@ -35,12 +37,15 @@ _VARIED = (
     "frame_simulations",
     "time",
     "clock",
+    "same_break",
 )
 _CLOCKS = ("simulations", "frame_simulations", "time", "clock")
 _FIXED = ("disclosure", "points", "miss", "patience", "max_events", "luck")
 _SETTINGS = (*_VARIED, *_FIXED)
 #: The ways to write the hypotheses of a test.
-_HYPOTHESES = ("shares", "elo")
+_HYPOTHESES = ("shares", "elo", "nelo")
+#: The attributes of an event that have the hypotheses of a test.
+BOUNDS = ("shares", "nelo")
 _EVENT_KEYS = (
     "name",
     "type",
@@ -67,8 +72,6 @@ _BLOCK = 10
 _MOST_PAIRS = 1_000_000
 # Longest name of a player. Two of them are the name of a folder.
 _LONGEST_NAME = 60
-# Elo points for a tenfold of the odds to win.
-_ELO_DECADE = 400.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,6 +135,7 @@ class Event:
         block: Number of pairs that are played as one record.
         rounds: Number of rounds of a Swiss tournament; else 0.
         shares: The shares of the points between which a test decides; else None.
+        nelo: The differences of normalised Elo between which a test decides; else None.
     """
 
     name: str
@@ -143,6 +147,14 @@ class Event:
     block: int
     rounds: int
     shares: tuple[float, float] | None
+    nelo: tuple[float, float] | None
+
+    @property
+    def test(self) -> SequentialTest | None:
+        """The sequential test, if the event is one."""
+        if self.shares is not None:
+            return SequentialTest(*self.shares)
+        return None if self.nelo is None else SequentialTest(*self.nelo, "nelo")
 
 
 @dataclass(frozen=True, slots=True)
@@ -289,9 +301,18 @@ def _event(place: str, written: Any, names: tuple[str, ...]) -> Event:
         rounds = _core.read_whole(
             written.get("rounds", usual), f"{place}.rounds", 1, len(players) - 1
         )
-    shares = _shares(place, written) if kind == "test" else None
+    bounds = _bounds(place, written) if kind == "test" else {}
     return Event(
-        name, kind, players, against, _conditions(place, written), pairs, block, rounds, shares
+        name,
+        kind,
+        players,
+        against,
+        _conditions(place, written),
+        pairs,
+        block,
+        rounds,
+        bounds.get("shares"),
+        bounds.get("nelo"),
     )
 
 
@@ -349,8 +370,8 @@ def _check_count(place: str, kind: str, players: tuple[str, ...]) -> None:
         )
 
 
-def _shares(place: str, written: Mapping[str, Any]) -> tuple[float, float]:
-    """The two hypotheses of a test as shares of the points."""
+def _bounds(place: str, written: Mapping[str, Any]) -> dict[str, tuple[float, float]]:
+    """The two hypotheses of a test, as shares of the points or as normalised Elo."""
     given = [key for key in _HYPOTHESES if key in written]
     if len(given) != 1:
         raise InputError(
@@ -364,16 +385,16 @@ def _shares(place: str, written: Mapping[str, Any]) -> tuple[float, float]:
     if not isinstance(value, Sequence) or isinstance(value, str) or len(value) != 2:
         _core.wrong_type(value, f"{place}.{key}", "a list of two numbers")
     low, high = (_core.read_number(x, f"{place}.{key}[{i}]") for i, x in enumerate(value))
-    if key == "elo":
-        low, high = (1 / (1 + 10 ** (-x / _ELO_DECADE)) for x in (low, high))
-    if not 0 < low < high < 1:
+    try:
+        test = SequentialTest.of_elo(low, high) if key == "elo" else SequentialTest(low, high, key)
+    except InputError:
         raise InputError(
             "out-of-range",
             f"{place}.{key}",
-            f"{value[0]!r} and {value[1]!r} are not two shares between 0 and 1, the smaller first",
-            "write such as shares = [0.5, 0.55], or elo = [0, 20]",
-        )
-    return low, high
+            f"{value[0]!r} and {value[1]!r} are not two hypotheses, the smaller first",
+            "write such as shares = [0.5, 0.55], elo = [0, 20] or nelo = [0, 30]",
+        ) from None
+    return {test.unit: (test.p0, test.p1)}
 
 
 def _conditions(place: str, written: Mapping[str, Any]) -> tuple[Condition, ...]:
@@ -426,6 +447,9 @@ def _check_setting(place: str, key: str, value: Any) -> None:
         known = ("both", "own", "nothing")
         if value not in known:
             _core.unknown_word(str(value), place, "disclosure", known)
+    elif key == "same_break":
+        if not isinstance(value, str | Mapping):
+            _core.wrong_type(value, place, "the name of a break preset, or a play")
     elif key == "game" and not isinstance(value, str):
         _core.wrong_type(value, place, "the name of a game")
 
@@ -444,6 +468,10 @@ def _resolved(settings: Mapping[str, Any]) -> dict[str, Any]:
     noise = settings.get("noise")
     if noise is not None:
         found["noise"] = Noise.preset(noise) if isinstance(noise, str) else Noise.from_dict(noise)
+    if "same_break" in settings:
+        game, table = settings["game"], settings.get("table")
+        found["same_break"] = read_break(settings["same_break"], game, table)
+        recorded_break(found["same_break"], game, table, settings.get("physics"))
     if "perception" in settings:
         found["perception"] = Perception(settings["perception"])
     return found
@@ -468,6 +496,8 @@ def _title(settings: Mapping[str, Any]) -> str:
             continue
         if key in units:
             words.append(f"{value:g} {units[key]}")
+        elif key == "same_break" and isinstance(value, str):
+            words.append(f"break {value}")
         elif key == "noise" and isinstance(value, str):
             words.append(f"noise {value}")
         elif isinstance(value, Mapping):

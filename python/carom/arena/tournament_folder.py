@@ -12,7 +12,7 @@ from typing import Any
 
 from carom import __version__
 from carom.arena.fresh_errors import frame_luck
-from carom.arena.tournament_file import Condition, Event, TournamentFile
+from carom.arena.tournament_file import BOUNDS, Condition, Event, TournamentFile
 from carom.arena.tournament_schedule import (
     Encounter,
     Round,
@@ -303,7 +303,7 @@ class TournamentFolder:
         so more pairs are further blocks.
         """
         folder, event = self.root / encounter.path, encounter.event
-        if event.shares is not None:
+        if event.test is not None:
             return [Block(encounter, 1, event.pairs, folder / "0001")]
         blocks: list[Block] = []
         planned = 0
@@ -335,14 +335,14 @@ def secret_of(secret: str, root: Path, block: Block) -> str:
 
 
 def _event(written: Mapping[str, Any]) -> Event:
-    shares = written["shares"]
+    bounds = {key: None if written.get(key) is None else tuple(written[key]) for key in BOUNDS}
     return Event(
         **{
             **written,
             "players": tuple(written["players"]),
             "against": tuple(written["against"]),
             "conditions": tuple(Condition(**condition) for condition in written["conditions"]),
-            "shares": None if shares is None else (shares[0], shares[1]),
+            **bounds,
         }
     )
 

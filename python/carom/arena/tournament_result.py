@@ -8,7 +8,8 @@ from dataclasses import asdict, dataclass, replace
 from typing import TYPE_CHECKING, Any, Self
 
 from carom import _core
-from carom.arena.result import AdjustedShare, TestResult, with_adjusted
+from carom.arena.result import AdjustedShare, with_adjusted
+from carom.arena.sequential import TestResult, rating
 from carom.arena.tournament_folder import of_other, pair_results
 from carom.columns import lines
 
@@ -16,8 +17,6 @@ if TYPE_CHECKING:
     from carom.arena.tournament_folder import FrameResult, PairResult, TournamentFolder
     from carom.arena.tournament_schedule import Encounter
 
-# Error probabilities of a sequential test, as in `play_match`.
-_ERROR_RATE = 0.05
 # Confidence level of the shares corrected for luck.
 _LEVEL = 0.95
 
@@ -70,6 +69,7 @@ class TestOfChange:
         players: The changed player, and the baseline.
         pairs: Number of pairs in the test.
         share: The share of the points of the changed player.
+        nelo: The difference of normalised Elo that belongs to it (``SequentialTest``).
         test: The state of the test.
     """
 
@@ -78,6 +78,7 @@ class TestOfChange:
     players: tuple[str, str]
     pairs: int
     share: float
+    nelo: float
     test: TestResult
 
     # The name begins with Test, so pytest would collect the class.
@@ -87,7 +88,8 @@ class TestOfChange:
         one, other = self.players
         return (
             f"{self.event}, {self.condition}: {one} against {other}, "
-            f"{100 * self.share:.1f} % of the points in {self.pairs} pairs; {self.test}"
+            f"{100 * self.share:.1f} % of the points in {self.pairs} pairs, normalised Elo "
+            f"{rating(self.nelo)}; {self.test}"
         )
 
 
@@ -125,7 +127,7 @@ class TournamentResult:
             finished &= all(block.finished for block in blocks)
             frames = [frame for block in blocks for frame in block.frames()]
             pairs += len(frames) // 2
-            if each.event.shares is not None:
+            if each.event.test is not None:
                 tests.append(_test(each, frames))
                 continue
             condition = each.condition
@@ -187,19 +189,19 @@ def _ranked(
 
 
 def _test(each: Encounter, frames: Sequence[FrameResult]) -> TestOfChange:
-    assert each.event.shares is not None
-    low, high = each.event.shares
+    assert each.event.test is not None
     counts = pair_counts(frames)
-    state = _core.test_state(counts, low, high, _ERROR_RATE, _ERROR_RATE)
     pairs = sum(counts)
     points = sum(0.5 * half * count for half, count in enumerate(counts))
+    share = points / (2 * pairs) if pairs else 0.5
     return TestOfChange(
         each.event.name,
         each.condition.title,
         each.players,
         pairs,
-        points / (2 * pairs) if pairs else 0.5,
-        TestResult(low, high, **state),
+        share,
+        _core.normalised_elo(counts, share),
+        each.event.test.state(counts),
     )
 
 

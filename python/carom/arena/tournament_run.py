@@ -45,7 +45,7 @@ class Worker:
             one,
             other,
             pairs=block.pairs,
-            test=block.encounter.event.shares,
+            test=block.encounter.event.test,
             secret=None if self.secret is None else secret_of(self.secret, self.root, block),
             **block.encounter.condition.arguments(),
         )
@@ -65,7 +65,7 @@ class Worker:
             other,
             out=block.folder,
             pairs=block.pairs,
-            test=block.encounter.event.shares,
+            test=block.encounter.event.test,
             secret=None if self.secret is None else secret_of(self.secret, self.root, block),
             threads=threads,
             progress=report,

@@ -44,10 +44,13 @@ class Encounter:
 def event_path(event: Event, condition: Condition) -> PurePosixPath:
     """The folder of an event under a condition. A test with other hypotheses is another one."""
     path = PurePosixPath(event.name, condition.key)
-    if event.shares is None:
-        return path
-    low, high = event.shares
-    return path / f"{low:.6g}-{high:.6g}-{event.pairs}"
+    if event.shares is not None:
+        low, high = event.shares
+        return path / f"{low:.6g}-{high:.6g}-{event.pairs}"
+    if event.nelo is not None:
+        low, high = event.nelo
+        return path / f"nelo_{low:.6g}_{high:.6g}_{event.pairs}"
+    return path
 
 
 def encounters(event: Event, condition: Condition) -> Iterator[Encounter]:

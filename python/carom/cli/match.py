@@ -12,11 +12,12 @@ from typing import Annotated, TypeVar
 import typer
 
 import carom
-from carom import Call, Perception, Play, Strike
+from carom import Perception
 from carom.arena.contestants import is_of_player
 from carom.arena.fresh_errors import DRAWS
 from carom.arena.named_players import named_player
-from carom.batch import own_strike
+from carom.arena.same_break import preset_break
+from carom.arena.sequential import SequentialTest
 from carom.cli.options import NOISES, Json, Level, named_noise
 from carom.cli.output import emit, emit_answer, read, say
 from carom.errors import InputError
@@ -95,7 +96,8 @@ def match(
         typer.Option(
             metavar="P0,P1",
             help="End the match when a sequential test accepts one of these shares of the points "
-            "of player A, such as 0.5,0.55.",
+            "of player A, such as 0.5,0.55, or of these differences of normalised Elo, such as "
+            "nelo:0,30.",
         ),
     ] = None,
     points: Annotated[int, typer.Option(min=1, help=points_help())] = DEFAULT_OPTIONS.points,
@@ -173,7 +175,7 @@ def match(
             time=_numbers("time", time, float),
             clock=_numbers("clock", clock, float),
             breaker=_breaker(breaker),
-            same_break=None if same_break is None else _break(game, table, same_break),
+            same_break=None if same_break is None else preset_break(game, table, same_break),
             test=None if test is None else _test(test),
             points=points,
             secret=secret,
@@ -260,15 +262,19 @@ def _perception(word: str) -> Perception:
         ) from None
 
 
-def _test(words: str) -> tuple[float, float]:
-    shares = words.split(",")
+def _test(words: str) -> SequentialTest:
+    unit, separator, bounds = words.rpartition(":")
     try:
-        p0, p1 = map(float, shares)
+        p0, p1 = map(float, bounds.split(","))
     except ValueError:
         raise InputError(
-            "wrong-type", "--test", f"{words!r} is not P0,P1", "write two shares, such as 0.5,0.55"
+            "wrong-type",
+            "--test",
+            f"{words!r} is not P0,P1",
+            "write two shares, such as 0.5,0.55, or two differences of normalised Elo, such as "
+            "nelo:0,30",
         ) from None
-    return p0, p1
+    return SequentialTest(p0, p1, unit if separator else "shares")
 
 
 def _breaker(word: str) -> str | int:
@@ -279,17 +285,3 @@ def _breaker(word: str) -> str | int:
             "wrong-type", "--breaker", f"{word!r} is not a player", "write alternate, A or B"
         )
     return "AB".index(word)
-
-
-def _break(game: str, table: str | None, preset: str) -> Play:
-    """The break preset as a play."""
-    shot = carom.break_shot(game, table=table, preset=preset)
-    file = shot.to_dict()
-    (x, y, *_), *_ = (b["position"] for b in file["balls"] if b["id"] == file["strike"]["ball"])
-    request = carom.Frame(game, table=table).request
-    # Straight pool opens with a safety; in three-cushion the cue ball stays where it lies.
-    return Play(
-        Strike(*own_strike(shot._core)),
-        cue_ball=(x, y) if request.in_hand else None,
-        call=Call("safety") if preset == "safety" else None,
-    )

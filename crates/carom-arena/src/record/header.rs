@@ -11,7 +11,7 @@ use super::values::{play, read_play, read_whole, two, whole};
 use super::{ENGINE, MATCH_FORMAT};
 use crate::clock::{Clock, ClockPeriod, ClockUnit};
 use crate::luck::{LuckSettings, LuckValue};
-use crate::sequential::SequentialTest;
+use crate::sequential::{SequentialTest, TestUnit};
 use crate::settings::{Breaker, Disclosure, Match, MatchSettings, PlayerEntry};
 
 const KEYS: &[&str] = &[
@@ -239,18 +239,30 @@ fn read_luck(at: &Reader<'_>) -> Result<LuckSettings, Error> {
     Ok(LuckSettings { draws, value: found })
 }
 
+/// A test of shares has no unit, so records from before there were units keep their bytes.
 fn test_node(test: &SequentialTest) -> Node {
-    let SequentialTest { p0, p1, alpha, beta } = *test;
+    let SequentialTest { p0, p1, unit, alpha, beta } = *test;
     let keys = [("p0", p0), ("p1", p1), ("alpha", alpha), ("beta", beta)];
-    Node::object(keys.map(|(key, value)| (key, value.into())))
+    let mut node = Node::object(keys.map(|(key, value)| (key, value.into())));
+    if unit != TestUnit::Shares {
+        node.set("unit", unit.name());
+    }
+    node
 }
 
 fn read_test(at: &Reader<'_>) -> Result<SequentialTest, Error> {
-    at.keys(&["p0", "p1", "alpha", "beta"])?;
+    at.keys(&["p0", "p1", "unit", "alpha", "beta"])?;
     let key = |key| at.require(key, "a number")?.exact_number();
     let (p0, p1, alpha, beta) = (key("p0")?, key("p1")?, key("alpha")?, key("beta")?);
-    let test = SequentialTest { p0, p1, alpha, beta };
+    let unit = at.get("unit").map(|unit| read_unit(&unit)).transpose()?.unwrap_or_default();
+    let test = SequentialTest { p0, p1, unit, alpha, beta };
     test.check().map(|()| test)
+}
+
+fn read_unit(at: &Reader<'_>) -> Result<TestUnit, Error> {
+    let name = at.text("the unit of the hypotheses")?;
+    let known = TestUnit::ALL.map(TestUnit::name);
+    TestUnit::named(name).ok_or_else(|| at.unknown_word(name, "unit", &known))
 }
 
 /// The name of a disclosure.

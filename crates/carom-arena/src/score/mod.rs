@@ -28,6 +28,11 @@ const PRIOR_PAIRS: f64 = 10.0;
 /// Rating points for a tenfold of the odds to win (Elo 1978).
 const ELO_DECADE: f64 = 400.0;
 
+/// Points of normalised Elo of a share that is one standard deviation of a frame above ½: 800/ln 10,
+/// about 347 (fishtest, `nelo_divided_by_nt`). With it normalised Elo equals Elo for small
+/// differences, if frames are independent and none is drawn.
+const NORMALISED_ELO: f64 = 2.0 * ELO_DECADE / core::f64::consts::LN_10;
+
 /// Number of pairs with each score of player 0: 0, ½, 1, 1½ and 2 points.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PairScores {
@@ -75,6 +80,18 @@ impl PairScores {
         let half = two_sided_quantile(level) * error;
         let share = self.share();
         Interval { low: (share - half).max(0.0), high: (share + half).min(1.0) }
+    }
+
+    /// The difference of normalised Elo that belongs to this expected `share` of the points, with
+    /// the variance σ² of the pairs so far: (800/ln 10) (share − ½)/(√2 σ). √2 σ is the standard
+    /// deviation of a frame if the frames of a pair are independent (fishtest).
+    pub fn normalised_elo(&self, share: f64) -> f64 {
+        NORMALISED_ELO * (share - 0.5) / sqrt(2.0 * self.variance())
+    }
+
+    /// The expected share of the points that belongs to this difference of normalised Elo.
+    pub(crate) fn share_of_normalised_elo(&self, elo: f64) -> f64 {
+        0.5 + elo / NORMALISED_ELO * sqrt(2.0 * self.variance())
     }
 
     /// The variance of a pair's share, divided by that of two independent frames with the same
@@ -240,6 +257,28 @@ mod tests {
         let independent = PairScores { counts: [5, 0, 10, 0, 5] };
         assert_eq!(independent.pairing_ratio([20, 0, 20]), Some(1.0));
         assert_eq!(PairScores { counts: [0, 0, 0, 0, 3] }.pairing_ratio([0, 0, 6]), None);
+    }
+
+    #[test]
+    fn normalised_elo_is_elo_for_small_differences_of_independent_frames() {
+        let even = PairScores { counts: [250_000, 0, 500_000, 0, 250_000] };
+        for elo in [-20.0, -1.0, 0.0, 7.0] {
+            assert!((even.normalised_elo(share_of_elo(elo)) - elo).abs() < 0.03);
+            assert!((even.normalised_elo(even.share_of_normalised_elo(elo)) - elo).abs() < 1e-9);
+        }
+    }
+
+    // fishtest's formula for these counts: the mean is 0.55 and the variance 0.06, so it is
+    // 0.05/√0.12 · 800/ln 10.
+    #[test]
+    fn normalised_elo_is_that_of_fishtest() {
+        let pairs = PairScores { counts: [5, 15, 45, 25, 10].map(|n| 100_000 * n) };
+        assert!(close(pairs.share(), 0.55));
+        assert!(
+            (pairs.normalised_elo(0.55) - 50.148).abs() < 0.001,
+            "{}",
+            pairs.normalised_elo(0.55)
+        );
     }
 
     // Elo (1978), table 2.11: a difference of 200 points gives a share of 0.76.
