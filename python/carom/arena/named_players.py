@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+import shlex
 from pathlib import Path
 from typing import Any
 
@@ -19,19 +21,20 @@ def named_player(argument: str, word: str, folder: Path = Path()) -> Any:
 
     Args:
         argument: The name of the argument, for the error message.
-        word: The name of a built-in player or of a program; or ``FILE.py:NAME``, where NAME is a
-            class with a method ``choose``, a function without arguments that makes a player, or a
-            player.
-        folder: The folder to which FILE.py is relative.
+        word: The name of a built-in player; a program, ``exec:COMMAND``; or ``FILE.py:NAME``,
+            where NAME is a class with a method ``choose``, a function without arguments that makes
+            a player, or a player.
+        folder: The folder to which FILE.py, and the files among the words of COMMAND, are relative.
 
     Returns:
-        The name of a built-in player or a program, or what the file has under NAME.
+        The name of a built-in player or a program, with full paths if the folder is another one
+        than the current one; or what the file has under NAME.
 
     Raises:
         InputError: There is no such file, it does not run, or it has no such name.
     """
     if is_program(word):
-        return word
+        return _program_in(word, folder)
     if word.endswith(".py"):
         raise InputError(
             "missing", argument, f"{word} names no class", f"write {word}:NAME, such as {word}:Mine"
@@ -55,6 +58,28 @@ def named_player(argument: str, word: str, folder: Path = Path()) -> Any:
             "wrong-type", argument, f"{name} in {shown(path)} is a {type(found).__name__}", _CLASS
         )
     return found
+
+
+def _program_in(word: str, folder: Path) -> str:
+    """A program whose files are relative to a folder.
+
+    As for a program in the current folder, a word with a dot or a slash that names a file or a
+    folder there gets its full path. In the current folder itself the name stays as it is.
+    """
+    found = re.fullmatch(r"(exec(?:\[.*?\])?:)(.*)", word, re.DOTALL)
+    if found is None or folder.resolve() == Path.cwd():
+        return word
+    try:
+        words = shlex.split(found[2])
+    except ValueError:
+        # Where the name is read it is refused with its fault.
+        return word
+    return found[1] + shlex.join(_full_path(each, folder) for each in words)
+
+
+def _full_path(word: str, folder: Path) -> str:
+    path = folder.absolute() / word
+    return str(path) if ("." in word or "/" in word) and path.exists() else word
 
 
 _CLASS = "write a class with a method choose(self, situation)"

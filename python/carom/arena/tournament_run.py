@@ -88,13 +88,38 @@ class Worker:
                 continue
             for name, found in zip(block.encounter.players, header["players"], strict=True):
                 now = entries[name]
-                if now is not None and found != now:
-                    raise InputError(
-                        "changed",
-                        f"players.{name}",
-                        f"it decides otherwise than in {shown(block.record)}",
-                        "give the changed player another name, or choose another folder",
-                    )
+                if now is None or found == now:
+                    continue
+                what = f"it decides otherwise than in {shown(block.record)}"
+                remedy = "give the changed player another name, or choose another folder"
+                words = [entry["settings"].get("program") for entry in (found, now)]
+                if words[0] != words[1]:
+                    what = f"{shown(block.record)} has {words[0]}, and this is {words[1]}"
+                    remedy = f"continue in the folder where the tournament began, or {remedy}"
+                raise InputError("changed", f"players.{name}", what, remedy)
+
+
+def process_count(worker: Worker, count: int) -> int:
+    """The number of processes for a tournament.
+
+    Raises:
+        InputError: The number is out of range, or a player cannot be pickled; the place is that of
+            its name.
+    """
+    return check({f"players.{name}": each for name, each in worker.contestants.items()}, count)
+
+
+def play_in_others(
+    worker: Worker, blocks: Sequence[Block], count: int, advance: Callable[[int], object]
+) -> None:
+    """Play blocks pair by pair in ``count`` other processes: players in Python use all cores.
+
+    Raises:
+        InputError: A process has ended, or cannot load the players.
+    """
+    with PairQueue(worker.matches(blocks), OpenMatch.close) as queue:
+        most = min(count, sum(block.pairs for block in blocks))
+        play_in_processes(queue, most, lambda: advance(1))
 
 
 def play_here(
