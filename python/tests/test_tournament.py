@@ -219,6 +219,43 @@ def test_a_test_of_a_change_ends_when_it_decides(tmp_path: Path) -> None:
     assert Tournament(test | {"players": players}).run(tmp_path).pairs_now == 0
 
 
+def test_a_test_of_normalised_elo(tmp_path: Path) -> None:
+    players = [{"name": "new", "player": "pick-pocket:10"}, {"name": "base", "player": "greedy:10"}]
+    test = event(type="test", players=["new", "base"], nelo=[-1500, -1000], pairs=40)
+    (found,) = Tournament(test | {"players": players}).run(tmp_path).tests
+    assert (found.test.unit, found.test.accepted) == ("nelo", "p1")
+    assert found.nelo > -1000
+    assert "test of -1500 against -1000 normalised Elo: accepts -1000" in str(found)
+    (header,) = [path.read_text().splitlines()[0] for path in tmp_path.rglob("match.jsonl")]
+    assert json.loads(header)["test"]["unit"] == "nelo"
+    # In Elo it is a test of shares.
+    (elo,) = Tournament(event(type="test", players=FILE["players"][:2], elo=[0, 35]))._file.events
+    assert elo.shares == pytest.approx((0.5, 0.5502), abs=1e-4)
+    assert Tournament(test | {"players": players}).run(tmp_path).pairs_now == 0
+
+
+def test_a_break_is_given_to_both_players(tmp_path: Path) -> None:
+    strike = {"strike": {"speed": 8, "azimuth_deg": 90}, "cue_ball": [0.635, 0.6]}
+    several = event(same_break=["rail", strike], pairs=1) | {"players": FILE["players"][:2]}
+    tournament = Tournament(several)
+    (found,) = tournament._file.events
+    assert found.conditions[0].title == "nine-ball, break rail"
+    assert len({each.key for each in found.conditions}) == 2
+    assert Tournament(FILE)._file.events[0].conditions[0].key != found.conditions[0].key
+    assert tournament.run(tmp_path).finished
+    rail = carom.break_shot("nine-ball", preset="rail")
+    breaks = {}
+    for path in sorted(tmp_path.rglob("match.jsonl")):
+        header, *frames, _ = map(json.loads, path.read_text().splitlines())
+        for frame in frames:
+            assert frame["moves"][0]["given"] is True
+            assert frame["moves"][0]["play"] == header["same_break"]
+        breaks[path.parts[-4]] = header["same_break"]["strike"]
+    by_preset, by_strike = (breaks[each.key] for each in found.conditions)
+    assert by_preset["azimuth"] == rail.azimuth
+    assert (by_strike["speed"], by_strike["azimuth"]) == pytest.approx((8, 1.5707963))
+
+
 class Conceder:
     """A player that gives up."""
 
@@ -255,6 +292,139 @@ def test_files_of_one_name_in_two_folders_are_two_players(tmp_path: Path) -> Non
     assert (old.name, new.name) == ("old", "new")
     for player in (old, new, other):
         assert pickle.loads(pickle.dumps(player)) is player
+
+
+PROGRAM_THAT_CONCEDES = """
+import json, sys
+for line in sys.stdin:
+    message = json.loads(line)
+    if message["type"] == "hello":
+        print(json.dumps({"type": "hello", "name": "conceder", "version": "1"}), flush=True)
+    elif message["type"] == "match":
+        print(json.dumps({"type": "ready"}), flush=True)
+    elif message["type"] == "request":
+        print(json.dumps({"type": "concede", "id": message["id"]}), flush=True)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="programs play on Linux")
+def test_names_of_files_are_relative_to_the_file_of_the_tournament(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    league, elsewhere = tmp_path / "league", tmp_path / "elsewhere"
+    for place in (league, elsewhere):
+        place.mkdir()
+    (league / "program.py").write_text(PROGRAM_THAT_CONCEDES)
+    (league / "mine.py").write_text(
+        "class Mine:\n    def choose(self, situation):\n        return 'concede'\n"
+    )
+    written = event(pairs=1) | {
+        "players": [
+            {
+                "name": "program",
+                "player": f"exec[menu=3]:'{sys.executable}' program.py --level 1.5",
+            },
+            {"name": "mine", "player": "mine.py:Mine"},
+        ]
+    }
+    (league / "league.json").write_text(json.dumps(written))
+    monkeypatch.chdir(elsewhere)
+    result = Tournament.load(league / "league.json").run(tmp_path / "out")
+    assert result.finished
+    (path,) = (tmp_path / "out").rglob("match.jsonl")
+    header, *frames, _ = map(json.loads, path.read_text().splitlines())
+    assert [frame["end"]["reason"] for frame in frames] == ["conceded"] * 2
+    (program,) = [each for each in header["players"] if "program" in each["settings"]]
+    assert program["settings"]["program"][1:] == [str(league / "program.py"), "--level", "1.5"]
+    assert program["settings"]["settings"] == {"menu": 3}
+    # In the folder of the file the words stay as they are written.
+    monkeypatch.chdir(league)
+    assert named_player("one", "exec:python3 program.py", Path()) == "exec:python3 program.py"
+    with pytest.raises(InputError, match="continue in the folder where the tournament began"):
+        Tournament.load("league.json").run(tmp_path / "out")
+
+
+def test_processes_give_the_records_of_one_thread(tmp_path: Path) -> None:
+    (tmp_path / "drawing.py").write_text(DRAWING)
+    players = [{"name": "drawing", "player": "drawing.py:Drawing"}, "greedy:10", "pool-master:10"]
+    test = {"name": "t", "type": "test", "players": ["drawing", "greedy:10"], "shares": [0.05, 0.6]}
+    swiss = {"name": "s", "type": "swiss", "pairs": 1}
+    settings = {"game": "nine-ball", "simulations": 10, "patience": 6}
+    written = file(
+        players=players,
+        events=[
+            FILE["events"][0] | {"patience": 6, "simulations": 10},
+            test | settings | {"pairs": 6},
+            swiss | settings,
+        ],
+    )
+    tournament = Tournament(written, folder=tmp_path)
+    one = tournament.run(tmp_path / "one", threads=1)
+    two = tournament.run(tmp_path / "two", processes=2)
+    assert (one.finished, two.finished) == (True, True)
+    assert records(tmp_path / "one") == records(tmp_path / "two")
+    assert len(records(tmp_path / "one")) == 6 + 1 + 2
+    assert tournament.run(tmp_path / "one", processes=1).pairs_now == 0
+
+
+DRAWING = """
+import random
+import carom
+
+
+class Drawing:
+    def choose(self, situation):
+        request = situation.frame.request
+        if request.kind == "choice":
+            return request.choices[0]
+        azimuth = random.Random(situation.seed).uniform(0, 6.28)
+        place = (0.635, 0.5) if request.in_hand else None
+        return carom.Play(carom.Strike(3.0, azimuth), cue_ball=place)
+"""
+
+
+def test_processes_are_refused_before_the_first_frame(tmp_path: Path) -> None:
+    class Local(Conceder):
+        pass
+
+    local = event(pairs=1) | {"players": [{"name": "a", "player": Local}, "greedy:10"]}
+    out = tmp_path / "out"
+    for options, place in (
+        ({"processes": 2}, "players.a"),
+        ({"processes": 0}, "processes"),
+        ({"processes": 2, "threads": 1}, "threads"),
+        ({"processes": 2, "ray": True}, "ray"),
+    ):
+        with pytest.raises(InputError) as refused:
+            Tournament(local).run(out, **options)
+        assert refused.value.place == place
+    assert not out.exists()
+
+
+def test_a_killed_process_ends_the_run_which_continues(tmp_path: Path) -> None:
+    (tmp_path / "deadly.py").write_text(DRAWING + DEADLY)
+    (tmp_path / "armed").touch()
+    players = [{"name": "deadly", "player": "deadly.py:Deadly"}, "greedy:10"]
+    written = event(pairs=3, patience=6, simulations=10) | {"players": players}
+    tournament = Tournament(written, folder=tmp_path)
+    with pytest.raises(InputError, match="while it played pair 0; the same call continues"):
+        tournament.run(tmp_path / "out", processes=2)
+    (tmp_path / "armed").unlink()
+    assert tournament.run(tmp_path / "out", processes=2).finished
+
+
+DEADLY = """
+import os, signal
+from pathlib import Path
+
+ARMED = Path(__file__).with_name("armed")
+
+class Deadly(Drawing):
+    def choose(self, situation):
+        if ARMED.exists():
+            os.kill(os.getpid(), getattr(signal, "SIGKILL", signal.SIGTERM))
+        return super().choose(situation)
+"""
 
 
 def test_a_changed_player_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -309,6 +479,24 @@ WRONG: dict[str, tuple[dict[str, Any], str]] = {
         event(type="test", players=["greedy:10", "pool-master:10"], shares=[0.6, 0.5]),
         "events[0].shares",
     ),
+    "two ways to write hypotheses": (
+        event(type="test", players=["greedy:10", "pool-master:10"], shares=[0.5, 0.6], nelo=[0, 9]),
+        "events[0].shares",
+    ),
+    "normalised Elo out of range": (
+        event(type="test", players=["greedy:10", "pool-master:10"], nelo=[0, 5000]),
+        "events[0].nelo",
+    ),
+    "no such break": (event(same_break="cut"), "events[0].preset"),
+    "a break without a strike": (
+        event(same_break={"cue_ball": [1, 1]}),
+        "events[0].same_break.strike",
+    ),
+    "a break with a wrong place": (
+        event(same_break={"strike": {"speed": 1, "azimuth": 0}, "cue_ball": [1]}),
+        "events[0].same_break.cue_ball",
+    ),
+    "a number for a break": (event(same_break=3), "events[0].same_break"),
     "a player who is not there": (event(players=["greedy:10", "carom"]), "events[0].players[1]"),
 }
 

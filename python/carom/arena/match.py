@@ -9,11 +9,12 @@ from typing import TYPE_CHECKING, Any
 from carom import _core
 from carom.arena.contestants import Asking
 from carom.arena.pair import OpenMatch, log_to
+from carom.arena.pair_queue import PairQueue
 from carom.arena.plan import MatchPlan
 from carom.arena.processes import check, play_in_processes
 from carom.arena.result import MatchResult
-from carom.arguments import number, thread_count
 from carom.arena.sequential import SequentialTest
+from carom.arguments import number, thread_count
 from carom.build import Physics, Table
 from carom.errors import InputError
 from carom.files import checked_path
@@ -160,9 +161,14 @@ def play_match(
                 raise InputError(
                     "conflict", "threads", "processes is given too", "give one of them"
                 )
-            count = check(plan, processes)
+            count = check(dict(zip(("one", "other"), plan.players, strict=True)), processes)
             with OpenMatch(plan, folder) as match:
-                play_in_processes(match, count, report)
+                report(0, match.played, pairs)
+                play_in_processes(
+                    PairQueue([match], lambda _: None),
+                    min(count, pairs),
+                    lambda: report(0, match.played, pairs),
+                )
                 return match.close(confidence)
         if threads is None and plan.asks:
             threads = 1

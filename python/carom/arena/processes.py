@@ -1,4 +1,4 @@
-"""The pairs of a match on several processes."""
+"""The pairs of matches on several processes."""
 
 from __future__ import annotations
 
@@ -9,12 +9,13 @@ import os
 import pickle
 import signal
 import traceback
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
 from multiprocessing import connection
 from typing import TYPE_CHECKING, Any
 
-from carom.arena.contestants import line_of
+from carom.arena.contestants import Contestant, line_of
 from carom.arena.pair import OpenMatch, PlayedPair, play_pair
+from carom.arena.pair_queue import PairQueue
 from carom.arena.plan import MatchPlan
 from carom.arguments import whole
 from carom.errors import InputError
@@ -34,8 +35,12 @@ _GUARD = 'in a program that is a file, put the call under if __name__ == "__main
 _GRACE = (2.0, 1.0)
 
 
-def check(plan: MatchPlan, count: int) -> int:
-    """The number of processes for a plan.
+def check(players: Mapping[str, Contestant], count: int) -> int:
+    """The number of processes for players.
+
+    Args:
+        players: The players by the arguments that gave them.
+        count: The number of processes that was given.
 
     Raises:
         InputError: The number is out of range, a player cannot be pickled, or this is a process
@@ -46,7 +51,7 @@ def check(plan: MatchPlan, count: int) -> int:
         raise InputError(
             "wrong-state", "processes", "the program has begun again in its own process", _GUARD
         )
-    for argument, player in zip(("one", "other"), plan.players, strict=True):
+    for argument, player in players.items():
         try:
             pickle.loads(pickle.dumps(player.make))
         except Exception as error:
@@ -60,87 +65,103 @@ def check(plan: MatchPlan, count: int) -> int:
     return count
 
 
-def play_in_processes(
-    match: OpenMatch, count: int, report: Callable[[int, int, int], object]
-) -> None:
-    """Play all pairs of a match in ``count`` processes.
+def play_in_processes(queue: PairQueue, count: int, played: Callable[[], object]) -> None:
+    """Play all pairs of a queue in ``count`` processes.
 
     After an exception or the end of a process, the other processes play the pairs that they have
     begun to their end.
 
     Args:
-        match: The match.
+        queue: The pairs.
         count: Number of processes.
-        report: Is called with 0, the pairs done, and all pairs.
+        played: Called when a pair was played.
 
     Raises:
         InputError: A process has ended, or cannot load the players.
         Exception: What a player raised, if the plan is strict.
         KeyboardInterrupt: Ctrl-C; all processes have ended.
     """
-    pairs = match.plan.agreed["pairs"]
-    report(0, match.played, pairs)
-    plan = pickle.dumps(match.plan)
-    with _workers(plan, min(count, pairs)) as workers:
+    pickled = _Plans()
+    with _workers(count) as workers:
         failure: BaseException | None = None
-        begun = [worker for worker in workers if worker.give(match.next_pair())]
+        begun = [worker for worker in workers if worker.give(queue.next_pair(), pickled)]
         busy: dict[Any, _Worker] = {worker.connection: worker for worker in begun}
         while busy:
             for ready in connection.wait(list(busy)):
                 worker = busy.pop(ready)
                 try:
-                    match.add(worker.played())
+                    queue.add(*worker.played())
                 except BaseException as error:  # noqa: BLE001 -- raised when the others are done
                     failure = failure or error
                     continue
-                report(0, match.played, pairs)
-                if failure is None and worker.give(match.next_pair()):
+                played()
+                if failure is None and worker.give(queue.next_pair(), pickled):
                     busy[worker.connection] = worker
     if failure is not None:
         raise failure
 
 
-class _Worker:
-    """A process that plays pairs, seen from the process that has the match."""
+class _Plans:
+    """The pickled plan of the match whose pairs are given out."""
 
-    def __init__(self, number: int, plan: bytes) -> None:
+    def __init__(self) -> None:
+        self._match: OpenMatch | None = None
+        self._plan = b""
+
+    def of(self, match: OpenMatch) -> bytes:
+        if match is not self._match:
+            self._match, self._plan = match, pickle.dumps(match.plan)
+        return self._plan
+
+
+class _Worker:
+    """A process that plays pairs, seen from the process that has the matches."""
+
+    def __init__(self, number: int) -> None:
         context = multiprocessing.get_context("spawn")
         self.connection, far_end = context.Pipe()
         self.name = f"{_NAME} {number}"
-        self.pair: int | None = None
-        self.process = context.Process(
-            target=_work, args=(far_end, plan), name=self.name, daemon=True
-        )
+        # The match and the number of the pair that it plays.
+        self.pair: tuple[OpenMatch, int] | None = None
+        self.process = context.Process(target=_work, args=(far_end,), name=self.name, daemon=True)
         with _no_interrupt():
             self.process.start()
         # Else the end of the process would not end the connection.
         far_end.close()
 
-    def give(self, pair: int | None) -> bool:
-        """Send the number of a pair to play; whether there is one."""
-        self.pair = pair
+    def give(self, pair: tuple[OpenMatch, int] | None, plans: _Plans) -> bool:
+        """Send a pair to play, with the plan of its match if it is another one than before.
+
+        Returns:
+            Whether there is a pair.
+        """
+        before, self.pair = self.pair, pair
         if pair is None:
             return False
+        match, number = pair
+        plan = None if before and match is before[0] else plans.of(match)
         # The end of a process is noticed when its answer is read.
         with contextlib.suppress(OSError):
-            self.connection.send(pair)
+            self.connection.send((plan, number))
         return True
 
-    def played(self) -> PlayedPair:
-        """The pair that it has played."""
+    def played(self) -> tuple[OpenMatch, PlayedPair]:
+        """The pair that it has played, and its match."""
+        assert self.pair is not None
         try:
             said = self.connection.recv()
         except (EOFError, OSError):
             self.process.join()
             raise self._ended() from None
         if isinstance(said, PlayedPair):
-            return said
+            return self.pair[0], said
         error, notes = said
         for note in notes:
             error.add_note(note)
         raise error
 
     def _ended(self) -> InputError:
+        assert self.pair is not None
         code = self.process.exitcode or 0
         how = f"with exit code {code}"
         if code < 0:
@@ -149,7 +170,9 @@ class _Worker:
         if code > 0:
             remedy = f"{_GUARD}; else look at its messages above; {remedy}"
         place = f"{self.name} (process {self.process.pid})"
-        return InputError("stopped", place, f"ended {how} while it played pair {self.pair}", remedy)
+        return InputError(
+            "stopped", place, f"ended {how} while it played pair {self.pair[1]}", remedy
+        )
 
     def interrupt(self) -> None:
         """Interrupt the process, as Ctrl-C does."""
@@ -159,11 +182,11 @@ class _Worker:
 
 
 @contextlib.contextmanager
-def _workers(plan: bytes, count: int) -> Iterator[list[_Worker]]:
+def _workers(count: int) -> Iterator[list[_Worker]]:
     """Processes that wait for pairs; they end with the context."""
     workers: list[_Worker] = []
     try:
-        workers.extend(_Worker(number, plan) for number in range(count))
+        workers.extend(_Worker(number) for number in range(count))
         yield workers
     except BaseException:
         for worker in workers:
@@ -196,8 +219,8 @@ def _no_interrupt() -> Iterator[None]:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
-def _work(mine: Connection[Any, Any], plan: bytes) -> None:
-    """Play the pairs whose numbers come, until the connection ends, in a process of its own."""
+def _work(mine: Connection[Any, Any]) -> None:
+    """Play the pairs that come, until the connection ends, in a process of its own."""
     is_interrupted = False
 
     def interrupt(_number: int, _where: FrameType | None) -> None:
@@ -212,8 +235,11 @@ def _work(mine: Connection[Any, Any], plan: bytes) -> None:
         signal.signal(signal.SIGINT, interrupt)
         if hasattr(signal, "pthread_sigmask"):
             signal.pthread_sigmask(signal.SIG_UNBLOCK, {signal.SIGINT})
+        plan = b""
         while True:
-            mine.send(_answer(plan, mine.recv()))
+            other, number = mine.recv()
+            plan = plan if other is None else other
+            mine.send(_answer(plan, number))
 
 
 def _answer(plan: bytes, number: int) -> PlayedPair | tuple[BaseException, list[str]]:
@@ -235,7 +261,7 @@ def _answer(plan: bytes, number: int) -> PlayedPair | tuple[BaseException, list[
         return error, notes
 
 
-@functools.cache
+@functools.lru_cache(maxsize=1)
 def _load(plan: bytes) -> MatchPlan:
     try:
         return pickle.loads(plan)  # type: ignore[no-any-return]

@@ -12,7 +12,7 @@ from carom.arena.named_players import named_player
 from carom.arena.tournament_folder import Block, TournamentFolder
 from carom.arena.tournament_on_ray import play_on_ray
 from carom.arena.tournament_result import TournamentResult
-from carom.arena.tournament_run import Worker, play_here
+from carom.arena.tournament_run import Worker, play_here, play_in_others, process_count
 from carom.arguments import cores
 from carom.errors import InputError
 from carom.files import checked_path, shown
@@ -75,6 +75,7 @@ class Tournament:
         out: str | os.PathLike[str],
         *,
         threads: int | None = None,
+        processes: int | None = None,
         ray: bool | str = False,
         progress: bool = False,
     ) -> TournamentResult:
@@ -87,20 +88,29 @@ class Tournament:
         Args:
             out: The folder.
             threads: Number of matches that are played at once; None is one per core.
+            processes: Number of processes that play pairs, in place of threads, so that players in
+                Python compute on all cores; None is this process alone. The players must be
+                picklable: see ``carom.play_match``. The records are the same to the bit.
             ray: True plays on Ray, started on this machine with ``threads`` cores; a text is the
                 address of a Ray cluster, such as ``"auto"`` (``pip install 'carom[ray]'``).
             progress: Show a progress bar on stderr.
 
         Raises:
             InputError: Another program plays in the folder, it belongs to another version of carom,
-                or a built-in player decides otherwise than in its records.
+                a built-in player decides otherwise than in its records, a player cannot be
+                pickled for ``processes``, or a process has ended.
             OSError: A file cannot be read or written.
         """
         root, workers = checked_path("out", out, "tournament").absolute(), cores(threads)
+        given = {"threads": threads is not None, "ray": ray is not False}
+        if processes is not None and any(given.values()):
+            other = next(name for name in given if given[name])
+            raise InputError("conflict", other, "processes is given too", "give one of them")
+        worker = Worker(root, self._contestants, self._file.secret)
+        count = None if processes is None else process_count(worker, processes)
         root.mkdir(parents=True, exist_ok=True)
         with locked(root, "tournament"):
             folder = TournamentFolder.write(root, self._file)
-            worker = Worker(root, self._contestants, self._file.secret)
             worker.check_players(_blocks(folder))
             before = _finished_pairs(_blocks(folder))
             while True:
@@ -110,7 +120,9 @@ class Tournament:
                     break
                 total = sum(block.pairs for block in missing)
                 with progress_bar(total, show=progress, what="pairs") as advance:
-                    if ray is False:
+                    if count is not None:
+                        play_in_others(worker, _in_turn(missing), count, advance)
+                    elif ray is False:
                         play_here(worker, _in_turn(missing), workers, advance)
                     else:
                         play_on_ray(worker, _in_turn(missing), ray, workers, advance)

@@ -7,11 +7,11 @@ match and its number, so the records are those of a run without Ray.
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from contextlib import ExitStack
 from typing import Any
 
 from carom import __version__, cluster
 from carom.arena.pair import OpenMatch, PlayedPair, play_pair
+from carom.arena.pair_queue import PairQueue
 from carom.arena.tournament_folder import Block
 from carom.arena.tournament_run import Worker
 from carom.errors import InputError
@@ -50,28 +50,17 @@ def play_on_ray(
 
     task = library.remote(num_cpus=1)(work)
     most = _PAIRS_OF_CORE * cluster.cores()
-    left = iter(blocks)
-    # The match of each pair that is played, and the matches whose pairs are all begun.
+    # The match of each pair that is played.
     running: dict[Any, OpenMatch] = {}
-    begun: list[OpenMatch] = []
-    with ExitStack() as folders:
-        match: OpenMatch | None = None
+    # The plan of the match whose pairs are given out, in Ray's store.
+    stored: tuple[OpenMatch, Any] | None = None
+    with PairQueue(worker.matches(blocks), OpenMatch.close) as queue:
         while True:
-            while len(running) < most:
-                if match is None:
-                    if (block := next(left, None)) is None:
-                        break
-                    match = folders.enter_context(OpenMatch(worker.plan(block), block.folder))
-                    plan = library.put(match.plan)
-                number = match.next_pair()
-                if number is None:
-                    begun.append(match)
-                    match = None
-                else:
-                    running[task.remote(plan, number)] = match
-            for ended in [each for each in begun if each not in running.values()]:
-                ended.close()
-                begun.remove(ended)
+            while len(running) < most and (pair := queue.next_pair()):
+                match, number = pair
+                if stored is None or stored[0] is not match:
+                    stored = match, library.put(match.plan)
+                running[task.remote(stored[1], number)] = match
             if not running:
                 return
             done, _ = library.wait(list(running))
@@ -79,5 +68,5 @@ def play_on_ray(
                 of_pair, played = running.pop(each), library.get(each)
                 if isinstance(played, tuple):
                     raise InputError(*played)
-                of_pair.add(played)
+                queue.add(of_pair, played)
                 advance(1)

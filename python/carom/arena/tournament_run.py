@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
 from dataclasses import dataclass
 from pathlib import Path
@@ -11,7 +11,10 @@ from typing import Any
 
 from carom import _core
 from carom.arena.match import play_match
+from carom.arena.pair import OpenMatch
+from carom.arena.pair_queue import PairQueue
 from carom.arena.plan import MatchPlan
+from carom.arena.processes import check, play_in_processes
 from carom.arena.tournament_folder import Block, secret_of
 from carom.errors import InputError
 from carom.files import shown
@@ -49,6 +52,11 @@ class Worker:
             secret=None if self.secret is None else secret_of(self.secret, self.root, block),
             **block.encounter.condition.arguments(),
         )
+
+    def matches(self, blocks: Iterable[Block]) -> Iterator[OpenMatch]:
+        """The matches of blocks, each opened when it is taken."""
+        for block in blocks:
+            yield OpenMatch(self.plan(block), block.folder)
 
     def play(self, block: Block, threads: int, report: Callable[[int, int], object]) -> None:
         """Play a block to its end, or continue it.

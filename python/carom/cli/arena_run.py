@@ -26,6 +26,12 @@ def run(
     threads: Annotated[
         int | None, typer.Option(min=1, help="Matches at once; default: one per core.")
     ] = None,
+    processes: Annotated[
+        int | None,
+        typer.Option(
+            min=1, help="Number of processes, in place of threads, for players in Python."
+        ),
+    ] = None,
     ray: Annotated[
         bool, typer.Option("--ray", help="Play on Ray, started on this machine.")
     ] = False,
@@ -51,6 +57,7 @@ def run(
         result = tournament.run(
             file.with_suffix("") if out is None else out,
             threads=threads,
+            processes=processes,
             ray=address or ray,
             progress=sys.stderr.isatty(),
         )
