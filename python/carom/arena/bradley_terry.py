@@ -24,6 +24,7 @@ from statistics import NormalDist
 from typing import TYPE_CHECKING, Any
 
 from carom.arena.result import AdjustedShare, with_adjusted
+from carom.arena.sequential import rating
 from carom.arena.tournament_folder import FrameResult, PairResult, TournamentFolder
 from carom.arguments import number
 from carom.columns import lines

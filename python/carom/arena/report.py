@@ -2,117 +2,22 @@
 
 from __future__ import annotations
 
-import json
 import os
 from collections import Counter, defaultdict
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
-from pathlib import Path
+from dataclasses import dataclass, field, replace
+from importlib.util import find_spec
 from typing import Any, NamedTuple
 
 from carom import _core
-from carom.arena.fresh_errors import frame_luck
+from carom.arena.bradley_terry import Game, RatingTable, fit
+from carom.arena.report_match import Costs, ReportFrame, ReportMatch, read_matches
 from carom.arena.result import AdjustedShare
+from carom.arena.sequential import SequentialTest, TestResult
+from carom.arena.tournament_folder import PLAYED, RECORD, PairResult, of_other
 from carom.arguments import number
 from carom.errors import InputError
 from carom.files import checked_path, shown
-from carom.noise import Noise
-
-# The record of a finished match, and that of a match that goes on.
-_RECORD, _PLAYED = "match.jsonl", "played.jsonl"
-_FORMAT = "carom-match/1"
-
-
-@dataclass(frozen=True, slots=True)
-class ReportFrame:
-    """A frame of a match.
-
-    Attributes:
-        number: Its number in the match, from 0.
-        players: The names of the players at seat 0 and at seat 1.
-        winner: The name of the winner; None without one.
-        points: The points of the match's first player; None if the frame does not count.
-        reason: The reason of its end, one word.
-        why: The same in words.
-        shots: Number of executed shots.
-        luck: The luck of the match's first player, in points; None if it was not measured.
-        line: Its line in the record.
-    """
-
-    number: int
-    players: tuple[str, str]
-    winner: str | None
-    points: float | None
-    reason: str
-    why: str
-    shots: int
-    luck: float | None
-    line: str
-
-
-@dataclass(slots=True)
-class Costs:
-    """What the answers of a player took, and how many of them were refused.
-
-    Attributes:
-        decisions: Number of answers.
-        simulations: Simulated shots.
-        seconds: Seconds, where the clock counts them.
-        refused: Number of refused answers.
-    """
-
-    decisions: int = 0
-    simulations: int = 0
-    seconds: float = 0.0
-    refused: int = 0
-
-    def add(self, move: dict[str, Any]) -> None:
-        """Count a move of a record."""
-        cost = move.get("cost")
-        if cost is None:
-            return
-        self.decisions += 1
-        self.simulations += cost.get("simulations", 0)
-        self.seconds += cost.get("seconds", 0.0)
-        self.refused += "refused" in move
-
-    def join(self, other: Costs) -> None:
-        """Count those of another match, too."""
-        self.decisions += other.decisions
-        self.simulations += other.simulations
-        self.seconds += other.seconds
-        self.refused += other.refused
-
-
-@dataclass(frozen=True, slots=True)
-class ReportMatch:
-    """A match of a report.
-
-    Attributes:
-        folder: Its folder, from that of the report.
-        players: The names of its players, which differ.
-        condition: What was played, in words: game, table, noise and clock.
-        finished: Whether the match has ended.
-        header: The first line of its record.
-        frames: Its frames, by number.
-        costs: What the answers of the two players took.
-    """
-
-    folder: str
-    players: tuple[str, str]
-    condition: str
-    finished: bool
-    header: str
-    frames: tuple[ReportFrame, ...]
-    costs: tuple[Costs, Costs]
-
-    def pairs(self) -> Iterator[tuple[ReportFrame, ReportFrame]]:
-        """The pairs of frames that are complete and count."""
-        by_number = {frame.number: frame for frame in self.frames}
-        for number_, first in by_number.items():
-            second = by_number.get(number_ + 1)
-            if number_ % 2 == 0 and second and None not in (first.points, second.points):
-                yield first, second
 
 
 class Share(NamedTuple):
@@ -125,6 +30,20 @@ class Share(NamedTuple):
     """
 
     value: float
+    low: float
+    high: float
+
+
+class RatingInterval(NamedTuple):
+    """A rating with its interval, Elo points above the mean of the table (``RatingTable``).
+
+    Attributes:
+        elo: The rating.
+        low: The lower end of its interval.
+        high: The upper end.
+    """
+
+    elo: float
     low: float
     high: float
 
@@ -142,6 +61,7 @@ class ReportRow:
         pairs: Number of pairs that count.
         share: Its share of the points of the pairs; None without pairs.
         adjusted: The same, corrected for luck; None if luck was not measured everywhere.
+        rating: Its rating; None without ratings.
         costs: What its answers took.
         losses: Number of lost frames by the reason of their end.
     """
@@ -154,8 +74,29 @@ class ReportRow:
     pairs: int = 0
     share: Share | None = None
     adjusted: Share | None = None
+    rating: RatingInterval | None = None
     costs: Costs = field(default_factory=Costs)
     losses: Counter[str] = field(default_factory=Counter)
+
+
+@dataclass(frozen=True, slots=True)
+class ReportTest:
+    """A match with a sequential test.
+
+    Attributes:
+        players: Its players.
+        pairs: Number of pairs in the test.
+        share: The share of the points of the first player. It is biased when the test has ended,
+            because it ends when the share happens to be extreme.
+        nelo: The difference of normalised Elo that belongs to the share (``SequentialTest``).
+        test: The state of the test.
+    """
+
+    players: tuple[str, str]
+    pairs: int
+    share: float
+    nelo: float
+    test: TestResult
 
 
 @dataclass(frozen=True, slots=True)
@@ -163,14 +104,18 @@ class ReportTable:
     """The players of a condition.
 
     Attributes:
-        condition: The condition in words.
-        rows: The players, the highest share first.
+        condition: The condition in words. Matches with sequential tests have tables of their own.
+        rows: The players, the highest rating first; without ratings the highest share first.
         cross: The share of the points that a player has against another one, by both names.
+        breaker: The advantage of the player who begins a frame, Elo points; None without ratings.
+        tests: The sequential tests, in a table of such matches.
     """
 
     condition: str
     rows: tuple[ReportRow, ...]
     cross: dict[tuple[str, str], Share]
+    breaker: RatingInterval | None
+    tests: tuple[ReportTest, ...]
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,12 +128,14 @@ class Report:
         matches: The matches.
         tables: The tables, one for each condition: shares under different conditions are not
             compared.
+        is_rated: Whether there are ratings: statsmodels is installed.
     """
 
     folder: str
     level: float
     matches: tuple[ReportMatch, ...]
     tables: tuple[ReportTable, ...]
+    is_rated: bool
 
     @property
     def finished(self) -> bool:
@@ -205,7 +152,9 @@ class Report:
                 {
                     "condition": table.condition,
                     "players": players_of(table),
+                    "breaker": breaker_of(table),
                     "cross": cross_of(table),
+                    "tests": tests_of(table),
                 }
                 for table in self.tables
             ],
@@ -232,6 +181,7 @@ def players_of(table: ReportTable) -> list[dict[str, Any]]:
                 "pairs": row.pairs,
                 **_share_keys("share", row.share),
                 **_share_keys("adjusted_share", row.adjusted),
+                **_rating_keys(row.rating),
                 "decisions": costs.decisions,
                 "simulations": costs.simulations,
                 "seconds": costs.seconds,
@@ -247,6 +197,26 @@ def cross_of(table: ReportTable) -> list[dict[str, Any]]:
     return [
         {"player": one, "against": other, **_share_keys("share", share)}
         for (one, other), share in table.cross.items()
+    ]
+
+
+def breaker_of(table: ReportTable) -> dict[str, float | None]:
+    """The advantage of the player who begins as plain values, Elo points."""
+    return _rating_keys(table.breaker)
+
+
+def tests_of(table: ReportTable) -> list[dict[str, Any]]:
+    """The sequential tests of a condition as plain values."""
+    return [
+        {
+            "player": each.players[0],
+            "against": each.players[1],
+            "pairs": each.pairs,
+            "share": each.share,
+            "nelo": each.nelo,
+            **each.test.to_dict(),
+        }
+        for each in table.tests
     ]
 
 
@@ -275,6 +245,11 @@ def _share_keys(name: str, share: Share | None) -> dict[str, float | None]:
     return {name: value, f"{name}_low": low, f"{name}_high": high}
 
 
+def _rating_keys(rating: RatingInterval | None) -> dict[str, float | None]:
+    elo, low, high = rating or (None, None, None)
+    return {"elo": elo, "elo_low": low, "elo_high": high}
+
+
 def read_report(folder: str | os.PathLike[str], *, level: float = 0.95) -> Report:
     """Read the records of all matches in a folder, whether they have ended or go on.
 
@@ -290,183 +265,96 @@ def read_report(folder: str | os.PathLike[str], *, level: float = 0.95) -> Repor
     confidence = number("level", level)
     if not 0.0 < confidence < 1.0:
         raise InputError("out-of-range", "level", f"{level} is out of range", "give one in (0, 1)")
-    records = _records(root)
-    matches = tuple(match for match in (_read(root, path) for path in records) if match)
+    matches = read_matches(root)
     if not matches:
         raise InputError(
             "missing",
             shown(root),
             "there is no match in it",
-            f"give a folder with a {_RECORD} or a {_PLAYED} in it or below it",
+            f"give a folder with a {RECORD} or a {PLAYED} in it or below it",
         )
-    by_condition: dict[str, list[ReportMatch]] = defaultdict(list)
+    is_rated = find_spec("statsmodels") is not None
+    by_condition: dict[tuple[str, bool], list[ReportMatch]] = defaultdict(list)
     for match in matches:
-        by_condition[match.condition].append(match)
+        by_condition[match.condition, match.test is not None].append(match)
     tables = tuple(
-        _table(condition, found, confidence) for condition, found in by_condition.items()
+        _table(f"{condition}, sequential tests" if is_test else condition, found, confidence)
+        if is_test or not is_rated
+        else _with_ratings(_table(condition, found, confidence), _fitted(found, confidence))
+        for (condition, is_test), found in by_condition.items()
     )
-    return Report(str(root), confidence, matches, tables)
-
-
-def _records(root: Path) -> list[Path]:
-    """The records below a folder; that of a finished match if there are both."""
-    found = {path.parent: path for path in root.rglob(_PLAYED)}
-    found |= {path.parent: path for path in root.rglob(_RECORD)}
-    return [found[folder] for folder in sorted(found)]
-
-
-def _read(root: Path, path: Path) -> ReportMatch | None:
-    """A match; None if its header is being written."""
-    lines = path.read_text(encoding="utf-8").split("\n")
-    # What follows the last line feed is being written.
-    *complete, _ = lines
-    if not complete:
-        return None
-    header = _line(path, 1, complete[0])
-    if header.get("format") != _FORMAT:
-        raise InputError(
-            "format",
-            f"{shown(path)}, line 1, format",
-            "it is not a record of a match",
-            f'give records with the format "{_FORMAT}"',
-        )
-    with _damaged(path, 1):
-        names = _names(header)
-        condition = _condition(header)
-    costs = (Costs(), Costs())
-    frames: dict[int, ReportFrame] = {}
-    finished = False
-    for n, written in enumerate(complete[1:], 2):
-        node = _line(path, n, written)
-        if "secret" in node:
-            finished = True
-            continue
-        with _damaged(path, n):
-            frame = _frame(node, written, names, costs)
-            frames[frame.number] = frame
-    return ReportMatch(
-        folder=path.parent.relative_to(root).as_posix(),
-        players=names,
-        condition=condition,
-        finished=finished,
-        header=complete[0],
-        frames=tuple(frames[k] for k in sorted(frames)),
-        costs=costs,
-    )
-
-
-class _damaged:  # noqa: N801 -- used as a function
-    """Names the line of a record whose values are not those of a record."""
-
-    def __init__(self, path: Path, line: int) -> None:
-        self.place = f"{shown(path)}, line {line}"
-
-    def __enter__(self) -> None: ...
-
-    def __exit__(self, kind: type[BaseException] | None, error: object, _: object) -> None:
-        if isinstance(error, KeyError | TypeError | ValueError | IndexError | AttributeError):
-            what = f"a value is missing or wrong ({type(error).__name__}: {error})"
-            remedy = "give the record as it was written"
-            raise InputError("format", self.place, what, remedy) from error
-
-
-def _line(path: Path, number_: int, text: str) -> dict[str, Any]:
-    try:
-        node = json.loads(text)
-    except ValueError:
-        node = None
-    if isinstance(node, dict):
-        return node
-    raise InputError(
-        "syntax",
-        f"{shown(path)}, line {number_}",
-        "it is not a JSON object",
-        "give the record as it was written",
-    )
-
-
-def _names(header: dict[str, Any]) -> tuple[str, str]:
-    one, other = (str(player["name"]) for player in header["players"])
-    return (f"{one} (A)", f"{other} (B)") if one == other else (one, other)
-
-
-def _frame(
-    node: dict[str, Any], line: str, names: tuple[str, str], costs: tuple[Costs, Costs]
-) -> ReportFrame:
-    seats, end = node["seats"], node["end"]
-    for move in node["moves"]:
-        costs[seats[move["seat"]]].add(move)
-    points, winner = end["points"], end["winner"]
-    return ReportFrame(
-        number=node["frame"],
-        players=(names[seats[0]], names[seats[1]]),
-        winner=None if winner is None else names[winner],
-        points=None if points is None else float(points[0]),
-        reason=str(end["reason"]),
-        why=str(end["why"]),
-        shots=sum("executed" in move for move in node["moves"]),
-        luck=frame_luck(node),
-        line=line,
-    )
-
-
-def _condition(header: dict[str, Any]) -> str:
-    """Game, table, noise and clock in words."""
-    table = header["table"]
-    named = table if isinstance(table, str) else "a table of its own"
-    noises = {_noise_name(noise) for noise in header["noise"]}
-    clocks = {_clock_name(clock) for clock in header["clock"]}
-    # Names of built-in players may bring a noise and a clock, which differ from match to match.
-    noise = noises.pop() if len(noises) == 1 else "each player's own noise"
-    clock = clocks.pop() if len(clocks) == 1 else "each player's own clock"
-    return ", ".join((str(header["game"]), named, noise, clock))
-
-
-def _noise_name(values: dict[str, Any]) -> str:
-    noise = Noise.from_dict(values)
-    if noise == Noise():
-        return "no noise"
-    for name, _ in _core.noise_presets():
-        if Noise.preset(name) == noise:
-            return f"noise {name}"
-    for factor in (0.25, 0.5, 2.0, 4.0):
-        if Noise.olympiad(factor) == noise:
-            return f"noise olympiad:{factor:g}"
-    azimuth, speed = 1e3 * noise.azimuth, noise.speed
-    return f"noise of {azimuth:.2g} mrad and {speed:.2g} m/s"
-
-
-def _clock_name(clock: dict[str, Any]) -> str:
-    unit = "simulations" if "simulations" in clock else "seconds"
-    amount = f"{clock[unit]:g}"
-    return f"{amount} {unit} a {clock['per']}"
+    return Report(str(root), confidence, matches, tables, is_rated)
 
 
 def _table(condition: str, matches: Sequence[ReportMatch], level: float) -> ReportTable:
+    """The table of a condition, without ratings."""
     rows: dict[str, ReportRow] = {}
-    pairs: dict[tuple[str, str], list[tuple[float, float | None]]] = defaultdict(list)
+    pairs: dict[tuple[str, str], list[PairResult]] = defaultdict(list)
+    tests = []
     for match in matches:
         one, other = match.players
         for name, costs in zip(match.players, match.costs, strict=True):
             rows.setdefault(name, ReportRow(name)).costs.join(costs)
         for frame in match.frames:
             _count(rows[one], rows[other], frame)
-        for first, second in match.pairs():
-            assert first.points is not None
-            assert second.points is not None
-            points = first.points + second.points
-            luck = None
-            if first.luck is not None and second.luck is not None:
-                luck = first.luck + second.luck
-            pairs[one, other].append((points, luck))
-            pairs[other, one].append((2.0 - points, None if luck is None else -luck))
+        found = list(_pair_results(match))
+        pairs[one, other] += found
+        pairs[other, one] += map(of_other, found)
+        if match.test is not None:
+            tests.append(_test(match, match.test, found))
     for row in rows.values():
-        own = [pair for (one, _), found in pairs.items() if one == row.name for pair in found]
+        own = [pair for (one, _), played in pairs.items() if one == row.name for pair in played]
         row.pairs, row.share = len(own), _share(own, level)
         row.adjusted = _adjusted(own, level)
     cross = {key: share for key, found in pairs.items() if (share := _share(found, level))}
     ranked = sorted(rows.values(), key=lambda row: (-(row.share or (-1.0,))[0], row.name))
-    return ReportTable(condition, tuple(ranked), cross)
+    return ReportTable(condition, tuple(ranked), cross, None, tuple(tests))
+
+
+def _pair_results(match: ReportMatch) -> Iterator[PairResult]:
+    """The points and the luck of the first player in the pairs that count."""
+    for first, second in match.pairs():
+        assert first.points is not None
+        assert second.points is not None
+        luck = None
+        if first.luck is not None and second.luck is not None:
+            luck = first.luck + second.luck
+        yield first.points + second.points, luck
+
+
+def _test(match: ReportMatch, test: SequentialTest, pairs: Sequence[PairResult]) -> ReportTest:
+    counts = _counts(pairs)
+    share = sum(points for points, _ in pairs) / (2 * len(pairs)) if pairs else 0.5
+    nelo = _core.normalised_elo(counts, share)
+    return ReportTest(match.players, len(pairs), share, nelo, test.state(counts))
+
+
+def _fitted(matches: Sequence[ReportMatch], level: float) -> RatingTable | None:
+    """The ratings of a condition; None without a frame that counts."""
+    games = []
+    for match in matches:
+        first = match.players[0]
+        numbers = {frame.number for frame in match.frames}
+        for frame in match.frames:
+            if frame.points is None or frame.number ^ 1 not in numbers:
+                continue
+            breaker, other = frame.players
+            points = frame.points if breaker == first else 1 - frame.points
+            games.append(Game(breaker, other, points, (match.folder, frame.number // 2)))
+    return fit(games, level=level) if games else None
+
+
+def _with_ratings(table: ReportTable, found: RatingTable | None) -> ReportTable:
+    """The table with the ratings of its players, the highest first."""
+    if found is None:
+        return table
+    rows = {row.name: row for row in table.rows}
+    for each in found.players:
+        rows[each.player].rating = RatingInterval(each.elo, each.low, each.high)
+    # Players without a frame that counts come last.
+    names = [each.player for each in found.players]
+    ranked = [rows.pop(name) for name in names] + list(rows.values())
+    return replace(table, rows=tuple(ranked), breaker=RatingInterval(*found.breaker))
 
 
 def _count(one: ReportRow, other: ReportRow, frame: ReportFrame) -> None:
@@ -483,17 +371,22 @@ def _count(one: ReportRow, other: ReportRow, frame: ReportFrame) -> None:
         loser.losses[frame.reason] += 1
 
 
-def _share(pairs: Sequence[tuple[float, float | None]], level: float) -> Share | None:
-    """The share of the points of whole pairs, with its interval (docs/arena.md, Statistics)."""
-    if not pairs:
-        return None
+def _counts(pairs: Sequence[PairResult]) -> list[int]:
+    """Number of pairs with 0, ½, 1, 1½ and 2 points."""
     counts = [0] * 5
     for points, _ in pairs:
         counts[int(2 * points)] += 1
-    low, high = _core.pair_interval(counts, level)
+    return counts
+
+
+def _share(pairs: Sequence[PairResult], level: float) -> Share | None:
+    """The share of the points of whole pairs, with its interval (docs/arena.md, Statistics)."""
+    if not pairs:
+        return None
+    low, high = _core.pair_interval(_counts(pairs), level)
     return Share(sum(points for points, _ in pairs) / (2 * len(pairs)), low, high)
 
 
-def _adjusted(pairs: Sequence[tuple[float, float | None]], level: float) -> Share | None:
+def _adjusted(pairs: Sequence[PairResult], level: float) -> Share | None:
     found = AdjustedShare.of(pairs, level)
     return None if found is None else Share(found.share, *found.share_interval)

@@ -9,7 +9,9 @@ from html import escape
 from typing import Any
 
 from carom import page
-from carom.arena.report import Report, ReportMatch, ReportTable, Share
+from carom.arena.report import RatingInterval, Report, ReportTable, Share
+from carom.arena.report_match import ReportMatch
+from carom.arena.sequential import rating
 from carom.errors import PageError
 
 # What the reasons of ends are called in the table of lost frames.
@@ -108,6 +110,7 @@ def report_html(report: Report, *, title: str, games: bool = True) -> str:
     body = [
         f"<h1>{escape(title)}</h1>",
         f'<p class="dim">{_summary(report)}</p>',
+        *([] if report.is_rated else [_NOT_RATED]),
         *(part for table in report.tables for part in _table_parts(table)),
         *_games(report, linked=viewer is not None),
     ]
@@ -126,6 +129,12 @@ def report_html(report: Report, *, title: str, games: bool = True) -> str:
             "</body></html>\n",
         ]
     )
+
+
+_NOT_RATED = (
+    '<p class="dim">Ratings need statsmodels, which is not installed: '
+    "<code>pip install 'carom[arena]'</code>.</p>"
+)
 
 
 def _viewer() -> str | None:
@@ -149,6 +158,10 @@ def _summary(report: Report) -> str:
 def _table_parts(table: ReportTable) -> Iterable[str]:
     yield f"<h2>{escape(table.condition)}</h2>"
     yield _players(table)
+    if table.breaker is not None:
+        yield _ratings_note(table.breaker)
+    if table.tests:
+        yield _tests(table)
     if len(table.rows) > 2:
         yield _cross(table)
     yield _costs(table)
@@ -156,20 +169,57 @@ def _table_parts(table: ReportTable) -> Iterable[str]:
 
 
 def _players(table: ReportTable) -> str:
+    is_rated = table.breaker is not None
     is_adjusted = any(row.adjusted for row in table.rows)
-    heads = ["player", "share of points", "interval", ""]
+    heads = ["player"]
+    if is_rated:
+        heads += ["rating, Elo", "interval"]
+    heads += ["share of points", "interval", ""]
     if is_adjusted:
         heads += ["corrected for luck", "interval", ""]
     heads += ["frames", "won", "drawn", "lost"]
     rows = []
     for row in table.rows:
         frames = row.won + row.drawn + row.lost
-        cells = [_row_head(row.name), *_share_cells(row.share)]
+        cells = [_row_head(row.name)]
+        if is_rated:
+            cells += _rating_cells(row.rating)
+        cells += _share_cells(row.share)
         if is_adjusted:
             cells += _share_cells(row.adjusted)
         cells += map(_cell, (frames, row.won, row.drawn, row.lost))
         rows.append("".join(cells))
     return _grid("Players", heads, rows)
+
+
+def _ratings_note(breaker: RatingInterval) -> str:
+    elo, low, high = map(rating, breaker)
+    return (
+        '<p class="dim">Ratings are Elo points above the mean of the table (Bradley &amp; Terry). '
+        f"The player who begins a frame has an advantage of {elo} ({low} to {high}).</p>"
+    )
+
+
+def _rating_cells(found: RatingInterval | None) -> list[str]:
+    if found is None:
+        return [_cell("–"), _cell("")]
+    elo, low, high = map(rating, found)
+    return [_cell(elo), _cell(f"{low} to {high}")]
+
+
+def _tests(table: ReportTable) -> str:
+    heads = ["player", "against", "pairs", "share of points", "normalised Elo", "hypotheses"]
+    heads += ["log-likelihood ratio", "it ends at", "result"]
+    rows = []
+    for each in table.tests:
+        test = each.test
+        cells = [_row_head(each.players[0]), _text(each.players[1]), _cell(each.pairs)]
+        cells += [_cell(f"{_percent(each.share)} %"), _cell(rating(each.nelo))]
+        cells += [_cell(test.hypotheses), _cell(f"{test.llr:.2f}")]
+        cells += [_cell(f"{test.lower:.2f} or {test.upper:.2f}"), _text(test.state)]
+        rows.append("".join(cells))
+    title = "Sequential tests. The share of a test that has ended is biased"
+    return _grid(title, heads, rows, texts=(1, 8))
 
 
 def _share_cells(share: Share | None) -> list[str]:
@@ -314,6 +364,10 @@ def _row_head(name: str) -> str:
 
 def _cell(value: Any) -> str:
     return f"<td>{escape(str(value))}</td>"
+
+
+def _text(value: str) -> str:
+    return f'<td class="text">{escape(value)}</td>'
 
 
 def _percent(share: float) -> str:

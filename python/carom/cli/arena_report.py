@@ -12,7 +12,15 @@ from typing import Annotated, Any
 
 import typer
 
-from carom.arena.report import Report, cross_of, games_of, players_of, read_report
+from carom.arena.report import (
+    Report,
+    breaker_of,
+    cross_of,
+    games_of,
+    players_of,
+    read_report,
+    tests_of,
+)
 from carom.arena.report_page import report_html
 from carom.cli.options import Json, Level
 from carom.cli.output import emit, say
@@ -101,7 +109,18 @@ def csv_tables(found: Report) -> dict[str, str]:
     cross = [
         {"condition": table.condition, **row} for table in found.tables for row in cross_of(table)
     ]
-    rows = {"players": plain, "cross": cross, "losses": reasons, "games": games_of(found)}
+    breakers = [{"condition": table.condition, **breaker_of(table)} for table in found.tables]
+    tests = [
+        {"condition": table.condition, **row} for table in found.tables for row in tests_of(table)
+    ]
+    rows = {
+        "players": plain,
+        "breaker": breakers,
+        "cross": cross,
+        "losses": reasons,
+        "tests": tests,
+        "games": games_of(found),
+    }
     return {name: _csv(table) for name, table in rows.items()}
 
 
