@@ -188,7 +188,7 @@ fn a_header_reads_back_to_the_same_settings() {
     assert_eq!((again.test, again.pairs), (Some(test), 50));
     let Some(carom::format::Node::Text(physics)) = node.get("physics") else { panic!("{node:?}") };
     assert!(physics.starts_with("pool-worn-cloth-20"), "{physics}");
-    assert_eq!(lines(&node.to_json_line()), [node.clone()]);
+    assert_eq!(lines(&node.to_json_line()), std::slice::from_ref(&node));
     // A test of shares has no unit, one of normalised Elo has.
     assert!(node.get("test").unwrap().get("unit").is_none());
     let test = SequentialTest::of_normalised_elo(-5.0, 25.0).unwrap();
