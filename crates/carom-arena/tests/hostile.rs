@@ -218,7 +218,11 @@ fn a_program_that_behaves_badly_loses_for_the_right_reason_and_leaves_nothing() 
     assert!(all.is_empty(), "{}", all.join("\n"));
 }
 
-/// Run it with `cargo test --release -p carom-arena --test hostile -- --ignored --nocapture`. The number
+/// Sessions between two lines that say how many are done.
+const PROGRESS: usize = 500;
+
+/// Run it with `cargo test --release -p carom-arena --test hostile ten_thousand -- --ignored --nocapture`.
+/// It prints every fault when it is found. The number
 /// of sessions is 10 000, or that of the variable `CAROM_SESSIONS`.
 #[test]
 #[ignore = "it takes about an hour of one core"]
@@ -239,9 +243,14 @@ fn ten_thousand_hostile_sessions() {
                     let begin = Instant::now();
                     let wrong = faults(case, Secret::from_os().unwrap());
                     let mut results = results.lock().unwrap();
+                    wrong.iter().for_each(|fault| println!("session {session}: {fault}"));
                     *results.0.entry(case.reason.name()).or_default() += 1;
                     results.1.extend(wrong);
                     results.2 = results.2.max(begin.elapsed());
+                    let done: usize = results.0.values().sum();
+                    if done.is_multiple_of(PROGRESS) {
+                        println!("{done} sessions, {} faults", results.1.len());
+                    }
                 }
             });
         }
@@ -296,11 +305,12 @@ for line in sys.stdin:
     let mut median_of = |confinement| {
         let site =
             ProgramSite { supervisor: supervisor(), confinement, hidden: Vec::new(), log: None };
-        let settings = MatchSettings { clock: [Clock::default(); 2], ..short(Game::NineBall) };
+        let settings = MatchSettings { clock: [Clock::default(); 2], ..short(Game::ThreeCushion) };
         let players = [PlayerEntry::new("program"), PlayerEntry::new("same")];
         let of = Arc::new(Match::new(settings, players).unwrap());
         let mut times = Vec::new();
-        for pair in 0..20 {
+        // Soft strikes end a frame by its second stalemate, after fifty shots.
+        for pair in 0..24 {
             let seeds = common::SECRET.pair_seeds(pair);
             let mut frame = ArenaFrame::begin(of.clone(), 0, seeds, &mut simulator).unwrap();
             let program =

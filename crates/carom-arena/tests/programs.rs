@@ -165,6 +165,66 @@ while read line; do echo $line; done";
     session.ends();
 }
 
+/// The states of the threads of a process, a letter each.
+fn thread_states(pid: &str) -> String {
+    let threads = std::fs::read_dir(format!("/proc/{pid}/task")).into_iter().flatten().flatten();
+    let state = |stat: String| stat.rsplit_once(") ")?.1.chars().next();
+    let mut found: Vec<char> = threads
+        .filter_map(|thread| state(std::fs::read_to_string(thread.path().join("stat")).ok()?))
+        .collect();
+    found.sort_unstable();
+    found.into_iter().collect()
+}
+
+/// Waits until these processes have threads in these states.
+fn wait_for_states(processes: &[&str], expected: [&str; 2]) {
+    let until = soon().unwrap();
+    loop {
+        let found: Vec<String> = processes.iter().map(|pid| thread_states(pid)).collect();
+        if found == expected {
+            return;
+        }
+        assert!(Instant::now() < until, "{found:?} are not {expected:?}");
+        std::thread::sleep(Duration::from_millis(5));
+    }
+}
+
+#[test]
+fn a_process_is_stopped_that_looks_ended_or_that_a_thread_has_started() {
+    // The first thread of a process that only waits for its parent has ended too. A thread has a list of
+    // children of its own.
+    let mut session = start(python(
+        "import ctypes, os, sys, threading
+def spin():
+    while True: pass
+def detached(act):
+    pid = os.fork()
+    if pid == 0:
+        os.setsid()
+        act()
+    return pid
+def without_first_thread():
+    threading.Thread(target=spin).start()
+    ctypes.CDLL(None).pthread_exit(None)
+children = [detached(without_first_thread)]
+starter = threading.Thread(target=lambda: (children.append(detached(spin)), threading.Event().wait()))
+starter.daemon = True
+starter.start()
+while len(children) < 2 or ') Z ' not in open(f'/proc/{children[0]}/stat').read(): pass
+for line in sys.stdin: print(*children, flush=True)",
+    ));
+    for _ in 0..2 {
+        session.channel.send("", soon()).unwrap();
+        let children = session.channel.receive(soon()).unwrap();
+        let children: Vec<&str> = children.split(' ').collect();
+        wait_for_states(&children, ["TZ", "T"]);
+        session.channel.send("", soon()).unwrap();
+        wait_for_states(&children, ["RZ", "R"]);
+        session.channel.receive(soon()).unwrap();
+    }
+    session.ends();
+}
+
 #[test]
 fn nothing_is_left_of_processes_that_hide_or_refuse_to_end() {
     for script in [
@@ -250,6 +310,33 @@ fn a_program_with_too_many_processes_or_too_much_memory_is_ended() {
     order.limits.memory = 100 << 20;
     let mut session = start(order);
     let ChannelFault::Crash(why) = fault(&mut session) else { panic!("no crash") };
+    assert_eq!(why, "the program ended because it used more than 100 MiB of memory");
+    session.ends();
+}
+
+#[test]
+fn a_program_that_answers_at_once_cannot_evade_the_limits() {
+    // It is stopped long before the next look at a program that runs.
+    let mut order = python(
+        "much = []
+while True:
+    input()
+    much.append(b'x' * (20 << 20))
+    print(len(much), flush=True)",
+    );
+    order.limits.memory = 100 << 20;
+    let mut session = start(order);
+    let mut answers = 0;
+    let fault = loop {
+        match session.channel.send("", soon()).and_then(|()| session.channel.receive(soon())) {
+            Ok(_) => answers += 1,
+            Err(fault) => break fault,
+        }
+        assert!(answers < 20, "it has {answers} times 20 MiB");
+        // The referee plays the shot.
+        std::thread::sleep(Duration::from_millis(100));
+    };
+    let ChannelFault::Crash(why) = fault else { panic!("{fault:?}") };
     assert_eq!(why, "the program ended because it used more than 100 MiB of memory");
     session.ends();
 }

@@ -26,7 +26,7 @@ use rustix::process::{Pid, WaitOptions, WaitStatus, getpid, set_child_subreaper,
 use tempfile::TempDir;
 
 use super::order::ProgramOrder;
-use super::process_tree::ProcessTree;
+use super::process_tree::{ProcessTree, TreeProcess, usage};
 
 /// Stop the program.
 pub(super) const STOP: u8 = b'S';
@@ -44,7 +44,7 @@ pub(super) const FAILED: &str = "failed ";
 /// The program has ended, or the supervisor ends it: why.
 pub(super) const ENDED: &str = "ended ";
 
-/// Time between two looks at what a running program uses. One takes about a millisecond.
+/// Time between two looks at what a running program uses. One takes less than a tenth of a millisecond.
 const LOOK: Duration = Duration::from_millis(200);
 /// Time between two attempts to kill what is left.
 const AGAIN: Duration = Duration::from_millis(5);
@@ -216,23 +216,19 @@ impl Supervised {
         loop {
             match self.next_command(runs) {
                 Some(STOP) => {
-                    let group = self.group();
-                    self.tree.stop(group);
+                    let stopped = self.tree.stop(self.group());
+                    self.limit(&stopped);
                     runs = false;
                 }
                 Some(PROCEED) => {
-                    let group = self.group();
-                    self.tree.proceed(group);
+                    self.tree.proceed(self.group());
                     say(&self.socket, PROCEEDING);
                     runs = true;
                 }
                 Some(_) => break,
                 None => {
-                    if let Some(excess) = self.excess() {
-                        // Before the notice of the end that follows.
-                        say(&self.socket, &format!("{ENDED}{excess}"));
-                        self.tree.kill();
-                    }
+                    let running = self.tree.processes();
+                    self.limit(&running);
                 }
             }
         }
@@ -262,10 +258,19 @@ impl Supervised {
         }
     }
 
-    /// The limit that the program exceeds, in words.
-    fn excess(&self) -> Option<String> {
+    /// Kills the program if its processes exceed a limit.
+    fn limit(&mut self, processes: &[TreeProcess]) {
+        if let Some(excess) = self.excess(processes) {
+            // Before the notice of the end that follows.
+            say(&self.socket, &format!("{ENDED}{excess}"));
+            self.tree.kill();
+        }
+    }
+
+    /// The limit that the processes of the program exceed, in words.
+    fn excess(&self, processes: &[TreeProcess]) -> Option<String> {
         let limits = &self.order.limits;
-        let (processes, memory) = self.tree.usage();
+        let (processes, memory) = usage(processes);
         if processes > limits.processes as usize {
             return Some(format!("because it had more than {} processes", limits.processes));
         }
@@ -275,8 +280,7 @@ impl Supervised {
 
     /// Ends the program: its input is closed, so it may end by itself; then SIGTERM, then SIGKILL.
     fn end(&mut self) {
-        let group = self.group();
-        self.tree.proceed(group);
+        self.tree.proceed(self.group());
         if self.reaped.wait(self.order.grace) {
             return;
         }
