@@ -539,3 +539,21 @@ def test_a_cling_of_every_contact_changes_the_chances(run: CommandLine, file: Pa
     )
     assert plain["end_mean"] != clung["end_mean"]
     refused(run("evaluate", str(file), "--cling", "1.5"), "noise.cling_probability", "1.5")
+
+
+def test_learn_check_prints_the_quality_of_each_shot(run: CommandLine, tmp_path: Path) -> None:
+    rows = [f"{n};{x}" for n, x in enumerate([700, *range(700, 1300, 12)])]
+    film = "time;px;py;who\n" + "".join(f"{row};0;cue\n" for row in rows)
+    (tmp_path / "film.csv").write_text(film, encoding="utf-8")
+    options = ["--columns", "t=time,x=px,y=py,ball=who", "--unit", "mm", "--time-unit", "frame"]
+    options += ["--rate", "50", "--x", "length", "--table", "carom-10ft", "--origin", "0,-710"]
+    options += ["--out", str(tmp_path / "film.parquet")]
+    done = run("learn", "check", str(tmp_path / "film.csv"), *options)
+    refused(done, "0 % of the places are on the playing area")
+    options[options.index("0,-710")] = "0,0"
+    done = run("learn", "check", str(tmp_path / "film.csv"), *options)
+    assert done.returncode == 0, done.stderr
+    assert "1 shot, 51 samples on carom-10ft" in done.stdout
+    again = run("learn", "check", str(tmp_path / "film.parquet"), "--json")
+    assert json.loads(again.stdout)["shots"][0]["struck"] == "cue"
+    refused(run("learn", "check", str(tmp_path / "film.csv"), "--columns", "t"), "KEY=NAME")

@@ -18,6 +18,7 @@ from carom.cli import (
     arena,
     convert,
     engine,
+    learn,
     match,
     plan,
     play,
@@ -56,6 +57,7 @@ app.add_typer(arena.arena, name="arena")
 app.add_typer(plan.maps, name="map")
 app.add_typer(plan.stats, name="stats")
 app.command("sweep")(sweep.sweep)
+app.add_typer(learn.learn, name="learn")
 app.command("replay")(engine.replay)
 app.command("validate")(engine.validate)
 app.command("bench")(engine.bench)

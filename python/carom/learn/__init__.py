@@ -7,23 +7,35 @@ print(tracks.findings)                  # what was assumed, repaired or left out
 Parquet needs pyarrow: ``pip install 'carom[learn]'``.
 """
 
+from carom.learn.contacts import Contact
 from carom.learn.findings import Finding
 from carom.learn.header import FileFrame, TracksHeader
+from carom.learn.quality import ShotQuality, TracksReport, check
 from carom.learn.read import read_tracks
+from carom.learn.recordings import cut_into_shots
+from carom.learn.segment import Run, Segments, segment
 from carom.learn.synthetic import SyntheticTracks, TrueContact, synthetic
 from carom.learn.tracks import TrackedBall, TrackedShot, Tracks
 from carom.learn.write import write_tracks
 
 __all__ = [
+    "Contact",
     "FileFrame",
     "Finding",
+    "Run",
+    "Segments",
+    "ShotQuality",
     "SyntheticTracks",
     "TrackedBall",
     "TrackedShot",
     "Tracks",
     "TracksHeader",
+    "TracksReport",
     "TrueContact",
+    "check",
+    "cut_into_shots",
     "read_tracks",
+    "segment",
     "synthetic",
     "write_tracks",
 ]

@@ -372,13 +372,14 @@ def _needed(size: tuple[float, float] | None) -> tuple[float, float]:
 _INSIDE = (0.3, 0.3)
 
 
-def _geometry(table: str | Mapping[str, Any]) -> dict[str, Any]:
+def table_geometry(table: str | Mapping[str, Any]) -> dict[str, Any]:
+    """The dimensions and cushions of a table, as ``Shot.geometry`` gives them."""
     return Shot(table, {"ball": _INSIDE}).geometry()
 
 
 def _size(table: str | Mapping[str, Any]) -> tuple[float, float]:
     try:
-        size = _geometry(table)["size"]
+        size = table_geometry(table)["size"]
     except InputError as error:
         known = error if error.place.startswith("table") else error.at("table")
         raise known from None

@@ -12,10 +12,10 @@ from carom.learn.tracks import TrackedBall, TrackedShot
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-# A step that is shorter than this is no jump, m: errors of a camera, and of its clock, of a ball
-# that moves at some m/s.
+# A step that is shorter than this is not called a jump, m: errors of a camera, and of its clock,
+# of a ball that moves at some m/s.
 _LEAST_JUMP = 0.08
-# A jump that no free ball makes: a step so many times as fast as the faster of its neighbours...
+# A jump that no free ball makes: a step faster than the faster of its neighbours by this factor...
 _TIMES_FASTER = 4.0
 # ... plus this speed, m/s, by which the strike or a collision can change a ball's.
 _MOST_CHANGE = 3.0

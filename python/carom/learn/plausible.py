@@ -47,7 +47,7 @@ def check_frame(places: NDArray[np.float64], header: TracksHeader, name: str) ->
         name: The file, for the message.
 
     Raises:
-        InputError: They do not; the message says in which frame they would.
+        InputError: They do not; the message names the frame in which they would.
     """
     size = header.table_size
     if size is None or not len(places):
@@ -128,7 +128,7 @@ def check_clock(speeds: NDArray[np.float64], step: float, header: TracksHeader, 
     """
     if not speeds.size:
         return
-    # Some jumps of a bad tracker are no fault of the clock.
+    # Some jumps of a bad tracker do not come from the clock.
     fast = float(np.quantile(speeds, 0.98))
     if _LEAST_SPEED <= fast <= MOST_SPEED:
         return

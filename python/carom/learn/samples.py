@@ -18,10 +18,11 @@ if TYPE_CHECKING:
 _MOST_LEFT_OUT = 0.05
 # This many may always be left out, so that a short file may have a bad row too.
 _ALWAYS_LEFT_OUT = 3
-# So many samples before and after a step back in time that share a span of time are two recordings,
-# and not rows out of order.
+# If at least this number of samples before a step back in time, and after it, share a span of
+# time, they are two recordings, and not rows out of order.
 _RESTART = 4
-# A file of which so many steps go back in time was sorted by something else.
+# A file in which more than this share of the steps goes back in time was sorted by something
+# else.
 _UNSORTED = 0.02
 
 

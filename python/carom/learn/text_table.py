@@ -78,7 +78,7 @@ def read_text_table(data: bytes, name: str) -> TextTable:
         raise InputError(
             "syntax",
             f"{name}, line {wrong[0][0]}",
-            f"{wrong[0][1]} cells, but {len(names)} columns; commas seem to be decimal commas too",
+            f"{wrong[0][1]} cells, but {len(names)} columns: probably with decimal commas",
             "save the table with semicolons between the columns, or with decimal points",
         )
     if wrong:
