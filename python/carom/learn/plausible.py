@@ -71,7 +71,11 @@ def check_frame(places: NDArray[np.float64], header: TracksHeader, name: str) ->
     if not others:
         remedy = "name the table, the unit, the origin and the axis of x as they are in the file"
     else:
-        best = min(others, key=lambda frame: _changes(frame, header.frame))
+        # Of two units that fit, the places of a whole game fill the table in the right one.
+        best = min(
+            others,
+            key=lambda frame: (_changes(frame, header.frame), -_fit(frame, places, size)[1]),
+        )
         remedy = (
             f"give {_words(best, header.frame)}, in which they fit, if this is the file's frame"
         )

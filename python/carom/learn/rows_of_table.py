@@ -142,6 +142,9 @@ def _numbers(
         values = cells.astype(np.float64)
         return values, np.isnan(values), np.zeros(values.size, dtype=np.bool_)
     try:
+        # NumPy reads 1_0 as 10.
+        if any("_" in cell for cell in cells if isinstance(cell, str)):
+            raise ValueError
         values = np.array(cells, dtype=np.float64)
     except (TypeError, ValueError):
         values = np.array([_number(cell) for cell in cells], dtype=np.float64)
