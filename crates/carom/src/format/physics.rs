@@ -75,8 +75,8 @@ fn read_values(path: &str, fields: &Fields<'_>, physics: &mut Physics) -> Result
         }
     }
     match fields.get("tip_off_centre_loss") {
-        Some(loss) if matches!(physics.cue.tip, Tip::Efficiency(_)) => check_loss(&loss, physics),
-        _ => Ok(()),
+        Some(loss) => check_tip_loss(physics).map_err(|error| error.at(loss.place())),
+        None => Ok(()),
     }
 }
 
@@ -124,41 +124,44 @@ fn read_formula(
     let fields = at.fields(&keys(quantity.path))?;
     read_values(quantity.path, &fields, physics)?;
     match quantity.path {
-        "ball_ball.friction" => check_slip_friction(at, physics),
-        "cushion.restitution" => check_cushion_restitution(at, &fields, physics),
+        "ball_ball.friction" => check_slip_friction(physics),
+        "cushion.restitution" => {
+            let only_highest = fields.get("highest").is_some() && fields.get("lowest").is_none();
+            check_restitution(physics, if only_highest { "highest" } else { "lowest" })
+        }
         _ => Ok(()),
     }
+    .map_err(|error| error.inside(at.place()))
 }
 
-fn check_slip_friction(at: &At<'_>, physics: &Physics) -> Result<(), Error> {
+/// Refuses a friction of the balls that is negative without slip; the place is empty.
+pub(super) fn check_slip_friction(physics: &Physics) -> Result<(), Error> {
     let at_rest = physics.ball_ball.friction.a + physics.ball_ball.friction.b;
     if at_rest >= 0.0 {
         return Ok(());
     }
     let what = format!("the friction a + b at slip speed 0 is {at_rest:?}");
-    Err(at.refuse(ErrorKind::OutOfRange, what, "choose a and b with a + b ≥ 0"))
+    Err(ErrorKind::OutOfRange.at("", what, "choose a and b with a + b ≥ 0"))
 }
 
-fn check_cushion_restitution(
-    at: &At<'_>,
-    fields: &Fields<'_>,
-    physics: &Physics,
-) -> Result<(), Error> {
+/// Refuses a restitution of the cushion without a value within its limits; the place is inside that of
+/// the restitution. `limit` is the key of the limit that is at fault if the two do not fit together.
+pub(super) fn check_restitution(physics: &Physics, limit: &str) -> Result<(), Error> {
     let restitution = physics.cushion.restitution;
     let (lowest, highest) = (restitution.lowest, restitution.highest);
     if lowest > highest {
-        let (place, other) = match (fields.get("lowest"), fields.get("highest")) {
-            (None, Some(at)) => (at, format!("lowest is {lowest:?}")),
-            (given, _) => (given.unwrap_or_else(|| at.clone()), format!("highest is {highest:?}")),
+        let other = match limit {
+            "highest" => format!("lowest is {lowest:?}"),
+            _ => format!("highest is {highest:?}"),
         };
         let what = format!("the lower limit is above the upper one: {other}");
-        return Err(place.refuse(ErrorKind::OutOfRange, what, "choose lowest ≤ highest"));
+        return Err(ErrorKind::OutOfRange.at(limit, what, "choose lowest ≤ highest"));
     }
     if restitution.is_possible() {
         return Ok(());
     }
-    Err(at.refuse(
-        ErrorKind::OutOfRange,
+    Err(ErrorKind::OutOfRange.at(
+        "",
         format!("a + bV + cV² is outside [{lowest}, {highest}] at every normal speed V"),
         "choose a, b and c that give a coefficient of restitution within the limits",
     ))
@@ -182,13 +185,15 @@ fn read_tip(
     Ok(())
 }
 
-fn check_loss(at: &At<'_>, physics: &Physics) -> Result<(), Error> {
-    if physics.cue.tip_off_centre_loss == 0.0 {
+/// Refuses a loss off the centre beside an efficiency of the tip; the place is empty.
+pub(super) fn check_tip_loss(physics: &Physics) -> Result<(), Error> {
+    let is_efficiency = matches!(physics.cue.tip, Tip::Efficiency(_));
+    if !is_efficiency || physics.cue.tip_off_centre_loss == 0.0 {
         return Ok(());
     }
     let what = "tip_efficiency describes the loss off the centre, too";
-    Err(at.refuse(
-        ErrorKind::Conflict,
+    Err(ErrorKind::Conflict.at(
+        "",
         what,
         "leave it out, or give tip_restitution instead of tip_efficiency",
     ))
