@@ -126,18 +126,18 @@ fn exit(limit: f64, d: f64, v: f64, h: f64, horizon: f64) -> Option<(f64, bool)>
     }
 }
 
-/// Whether the nose of a short rail is at abscissa `x`.
+/// Whether the nose of a short rail is at abscissa `x`, or no pocket is beside it.
 #[inline(always)]
 fn on_short_nose(table: &Table, x: f64) -> bool {
-    x.abs() <= table.index.nose_x + JOIN_OVERLAP
+    x.abs() <= table.index.nose_x + JOIN_OVERLAP || table.index.mouths.is_empty()
 }
 
-/// Whether the nose of a long rail is at ordinate `y`.
+/// Whether the nose of a long rail is at ordinate `y`, or no pocket is beside it.
 #[inline(always)]
 fn on_long_nose(table: &Table, y: f64) -> bool {
     let [from, to] = table.index.nose_y;
-    let y = y.abs();
-    y >= from - JOIN_OVERLAP && y <= to + JOIN_OVERLAP
+    let beside = y.abs();
+    (beside >= from - JOIN_OVERLAP && beside <= to + JOIN_OVERLAP) || table.index.mouths.is_empty()
 }
 
 /// First contact of a ball that is in a pocket's mouth at `from`, s, and has met nothing before.
