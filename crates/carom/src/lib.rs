@@ -49,6 +49,7 @@ extern crate alloc;
 
 pub mod ball;
 pub mod batch;
+pub mod candidates;
 pub mod detect;
 pub mod edition;
 pub mod error;
@@ -72,6 +73,7 @@ pub mod simulator;
 pub mod table;
 pub mod trace;
 mod trace_event;
+pub mod tracks;
 
 pub use ball::{Ball, BallState, MotionState};
 pub use error::{Error, ErrorKind};

@@ -80,12 +80,29 @@ impl Simulator {
         strike: Option<(usize, Strike)>,
         recorder: &mut R,
     ) -> Result<Summary, Error> {
+        self.play_until(shot, strike, f64::MAX, recorder)
+    }
+
+    /// As [`Self::play_strike`], but only to the time `end`, s, if the shot does not end before.
+    ///
+    /// # Errors
+    /// As [`Self::play`].
+    ///
+    /// # Panics
+    /// As [`Self::play_strike`].
+    pub fn play_until<R: Recorder>(
+        &mut self,
+        shot: &Shot,
+        strike: Option<(usize, Strike)>,
+        end: f64,
+        recorder: &mut R,
+    ) -> Result<Summary, Error> {
         self.in_many = shot.balls().len() > SMALL_CAPACITY;
         let played = if self.in_many {
             let many = self.many.get_or_insert_with(|| Box::new(Simulation::new()));
-            play_many(many, shot, strike, recorder)
+            play_many(many, shot, strike, end, recorder)
         } else {
-            self.few.play_strike(shot, strike, recorder)
+            self.few.play_until(shot, strike, end, recorder)
         };
         played.map_err(|failure| self.explain(shot, strike, failure))
     }
@@ -202,9 +219,10 @@ fn play_many(
     simulation: &mut Simulation<MAX_BALLS>,
     shot: &Shot,
     strike: Option<(usize, Strike)>,
+    end: f64,
     mut recorder: &mut dyn Recorder,
 ) -> Result<Summary, SimulationError> {
-    simulation.play_strike(shot, strike, &mut recorder)
+    simulation.play_until(shot, strike, end, &mut recorder)
 }
 
 impl Shot {

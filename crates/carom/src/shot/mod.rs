@@ -10,6 +10,7 @@ mod obstruction;
 mod place;
 mod repair;
 mod strike;
+mod varied;
 
 use alloc::format;
 use alloc::string::String;
@@ -23,6 +24,8 @@ pub use obstruction::{BallInSpace, Touched};
 pub use repair::{MovedBall, repair};
 pub(crate) use strike::{ELEVATION, FASTEST, OFFSET, SPEED, explain};
 pub use strike::{Policy, StrikePolicy};
+pub(crate) use varied::Changes;
+pub use varied::StartState;
 
 use obstruction::CueLine;
 

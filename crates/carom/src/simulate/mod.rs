@@ -260,13 +260,30 @@ impl<const N: usize> Simulation<N> {
         strike: Option<(usize, Strike)>,
         recorder: &mut R,
     ) -> Result<Summary, SimulationError> {
+        self.play_until(shot, strike, f64::MAX, recorder)
+    }
+
+    /// As [`Self::play_strike`], but only to the time `end`, s, if the shot does not end before.
+    ///
+    /// # Errors
+    /// See [`simulate`].
+    ///
+    /// # Panics
+    /// As [`Self::play_strike`].
+    pub fn play_until<R: Recorder>(
+        &mut self,
+        shot: &Shot,
+        strike: Option<(usize, Strike)>,
+        end: f64,
+        recorder: &mut R,
+    ) -> Result<Summary, SimulationError> {
         self.load(shot);
         let mut step = StepContext::new(shot, recorder);
         if let Some((struck, strike)) = &strike {
             assert!(*struck < self.n, "there is no ball {struck} in a shot of {} balls", self.n);
             self.on_cue_strike(*struck, strike, &mut step)?;
         }
-        self.run(shot, &mut step)
+        self.run(shot, end, &mut step)
     }
 
     /// Puts the shot's balls on the table, at time 0, before the strike.
@@ -287,14 +304,15 @@ impl<const N: usize> Simulation<N> {
         self.earliest[self.n..].fill(f64::INFINITY);
     }
 
-    /// Runs from time 0 until no event is left, or to the end time of `shot`.
+    /// Runs from time 0 until no event is left, to the end time of `shot`, or to `end`, s.
     fn run<R: Recorder>(
         &mut self,
         shot: &Shot,
+        end: f64,
         step: &mut StepContext<'_, R>,
     ) -> Result<Summary, SimulationError> {
         let max_events = shot.max_events;
-        let last = shot.until.unwrap_or(f64::MAX);
+        let last = earlier(shot.until.unwrap_or(f64::MAX), end);
         self.find_all_candidates(step.table);
         while let Some((time, next)) = self.next(last) {
             if step.events >= max_events {
@@ -308,10 +326,7 @@ impl<const N: usize> Simulation<N> {
                 NextEvent::BallContact(i, j) => self.on_ball_contact(i, j, step),
             }
         }
-        let duration = match shot.until {
-            Some(until) if self.any_moves() => until,
-            _ => step.time,
-        };
+        let duration = if last < f64::MAX && self.any_moves() { last } else { step.time };
         Ok(Summary { duration, events: step.events })
     }
 
