@@ -21,6 +21,7 @@ from carom.arena import MatchReplay, MatchResult, play_match, replay_match
 from carom.batch import BatchResult, simulate_batch
 from carom.build import CuePose, Layout, MovedBall, Physics, Repaired, Strike, Table
 from carom.call import Call
+from carom.candidates import Candidates
 from carom.cloth import rolling_bands
 from carom.errors import (
     AngleWarning,
@@ -68,6 +69,13 @@ from carom.reference import game_facts, physics, rule_sets, schema, tables
 from carom.rules import Frame, LegalAnswers, Ruling
 from carom.shot import Shot
 from carom.trace import Snapshot, Trace
+from carom.tracks import (
+    BallTracks,
+    SampledStates,
+    TrackResiduals,
+    sample_batch,
+    track_residuals,
+)
 
 if TYPE_CHECKING:
     from carom import bench as bench
@@ -82,9 +90,11 @@ __all__ = [
     "Acceptance",
     "Analysis",
     "AngleWarning",
+    "BallTracks",
     "BatchResult",
     "BreakStatistics",
     "Call",
+    "Candidates",
     "CaromError",
     "Chance",
     "CuePose",
@@ -114,6 +124,7 @@ __all__ = [
     "Recommendation",
     "Repaired",
     "Ruling",
+    "SampledStates",
     "Shot",
     "Situation",
     "Snapshot",
@@ -123,6 +134,7 @@ __all__ = [
     "Sweep",
     "Table",
     "Trace",
+    "TrackResiduals",
     "__version__",
     "acceptance",
     "bank_table",
@@ -141,12 +153,14 @@ __all__ = [
     "replay_match",
     "rolling_bands",
     "rule_sets",
+    "sample_batch",
     "schema",
     "simulate_batch",
     "solve",
     "successors",
     "sweep",
     "tables",
+    "track_residuals",
 ]
 
 

@@ -14,6 +14,8 @@ from carom.player.thinking import Thinking
 
 __all__ = [
     "TIP",
+    "BallTracks",
+    "Candidates",
     "Frame",
     "OpenMatch",
     "Player",
@@ -66,6 +68,7 @@ __all__ = [
     "replay_match",
     "rolling_bands",
     "row_shot",
+    "sample_states",
     "schema",
     "see",
     "simulate",
@@ -75,11 +78,13 @@ __all__ = [
     "simulate_variants",
     "solve",
     "stages",
+    "start_states",
     "successors",
     "supervise",
     "tables",
     "tasks",
     "test_state",
+    "track_residuals",
     "unknown_word",
     "variant",
     "wilson",
@@ -101,6 +106,31 @@ _Program = tuple[str, str, str, Callable[[str], None], Sequence[PathLike[str]], 
 # A player of a match: the name of a built-in one; name, class, and the function that begins a
 # frame; or a program.
 _Entrant = str | tuple[str, str, Callable[[int, int], Callable[..., Any]]] | _Program
+
+# Position, velocity and spin, each (candidates, balls, 3).
+_States = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+# Times (n), positions (n, 2), standard deviations (n).
+_Observed = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
+
+@final
+class Candidates:
+    def __new__(
+        cls,
+        shots: Sequence[Shot],
+        shot_of: NDArray[np.uint32],
+        numbers: Sequence[str],
+        values: NDArray[np.float64],
+        states: _States | None,
+        strikes: tuple[NDArray[np.float64], bool] | None,
+    ) -> Candidates: ...
+    def shot(self, index: int) -> Shot: ...
+    def part(self, first: int, end: int) -> Candidates: ...
+    def __len__(self) -> int: ...
+
+@final
+class BallTracks:
+    def __new__(cls, balls: Sequence[tuple[str, _Observed]]) -> BallTracks: ...
+    def counts(self, horizons: Sequence[float]) -> list[list[int]]: ...
 
 @final
 class Frame:
@@ -219,6 +249,31 @@ def simulate_variants(
     draw: tuple[int, int],
     threads: int,
 ) -> _Arrays: ...
+def start_states(
+    shot: Shot,
+) -> list[NDArray[np.float64]]: ...
+def sample_states(
+    candidates: Candidates,
+    times: NDArray[np.float64],
+    balls: Sequence[int],
+    velocity: bool,
+    angular_velocity: bool,
+    threads: int,
+) -> tuple[
+    NDArray[np.float64],
+    NDArray[np.float64] | None,
+    NDArray[np.float64] | None,
+    NDArray[np.bool_],
+    dict[int, str],
+]: ...
+def track_residuals(
+    candidates: Candidates,
+    tracks: Sequence[BallTracks],
+    placement: NDArray[np.float64],
+    horizons: Sequence[float],
+    samples: bool,
+    threads: int,
+) -> tuple[NDArray[np.float64] | None, NDArray[np.float64], NDArray[np.uint32], dict[int, str]]: ...
 def variant(shot: Shot, noise: Noise, seed: int, index: int) -> Shot: ...
 def check_perception(perception: Perception) -> None: ...
 def check_noise(noise: Noise) -> None: ...

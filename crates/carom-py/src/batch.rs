@@ -158,7 +158,7 @@ pub(crate) fn noise_presets() -> Vec<(&'static str, [f64; 7])> {
 }
 
 /// The runner of `threads` threads; 0 is one per core.
-fn runner(py: Python<'_>, threads: usize) -> PyResult<Runner> {
+pub(crate) fn runner(py: Python<'_>, threads: usize) -> PyResult<Runner> {
     Runner::new(count(threads)).map_err(|e| to_exception(py, &e))
 }
 

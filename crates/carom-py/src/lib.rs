@@ -22,6 +22,7 @@ mod shot;
 mod successors;
 mod sweep;
 mod trace;
+mod tracks;
 
 use pyo3::prelude::*;
 
@@ -76,6 +77,8 @@ mod _core {
     };
     #[pymodule_export]
     use crate::trace::{Trace, simulate, simulate_to_cap};
+    #[pymodule_export]
+    use crate::tracks::{BallTracks, Candidates, sample_states, start_states, track_residuals};
 
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
