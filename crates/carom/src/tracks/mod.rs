@@ -14,6 +14,6 @@ pub use ball_tracks::{BallTrack, BallTracks};
 pub use residuals::{Residuals, TrackFrame, TrackQuestion, track_residuals};
 pub use states::{SampledStates, StateQuestion, sample_states};
 
-/// Number of candidates that a thread gets at a time: some hundred microseconds of work, so that the
+/// Number of candidates that a thread gets at a time: a few hundred microseconds of work, so that the
 /// overhead is small and a population of a few dozen uses all cores.
 const CHUNK: usize = 8;
