@@ -80,6 +80,14 @@ pub struct ArenaMove {
     pub effect: Effect,
 }
 
+impl ArenaMove {
+    /// A request to `seat` that got no answer that could be read.
+    pub(crate) const fn without_answer(seat: Seat, cost: Cost, effect: Effect) -> Self {
+        let (answer, win_chance, info) = (None, None, None);
+        Self { seat, answer, is_given: false, win_chance, info, cost, effect }
+    }
+}
+
 /// Why a frame ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum EndReason {

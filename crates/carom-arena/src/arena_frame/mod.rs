@@ -314,16 +314,7 @@ impl ArenaFrame {
         let seat = self.asked_seat()?;
         let effect =
             if self.charge(seat, &cost) { self.refused(seat, fault) } else { Effect::Late };
-        let unread = ArenaMove {
-            seat,
-            answer: None,
-            is_given: false,
-            win_chance: None,
-            info: None,
-            cost,
-            effect,
-        };
-        self.add(unread, simulator)
+        self.add(ArenaMove::without_answer(seat, cost, effect), simulator)
     }
 
     /// Ends the frame because the player who is asked gave no answer: its time is over, it ended,
@@ -346,15 +337,8 @@ impl ArenaFrame {
         self.charge(seat, &cost);
         let effect = Effect::Failed { reason, why: why.into() };
         self.end = Some(FrameEnd { winner: Some(1 - seat), reason, why: why.into() });
-        Ok(self.push(ArenaMove {
-            seat,
-            answer: None,
-            is_given: false,
-            win_chance: None,
-            info: None,
-            cost,
-            effect,
-        }))
+        self.moves.push(ArenaMove::without_answer(seat, cost, effect));
+        Ok(&self.moves[self.moves.len() - 1])
     }
 
     fn asked_seat(&self) -> Result<Seat, Error> {
@@ -510,11 +494,6 @@ impl ArenaFrame {
         self.moves.push(arena_move);
         self.go_on(simulator)?;
         Ok(&self.moves[index])
-    }
-
-    fn push(&mut self, arena_move: ArenaMove) -> &ArenaMove {
-        self.moves.push(arena_move);
-        &self.moves[self.moves.len() - 1]
     }
 
     /// Ends the frame if its game is over; plays the same break of the settings if the frame asks
