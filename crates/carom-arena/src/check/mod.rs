@@ -159,6 +159,7 @@ fn reached(
     let settings = MatchSettings {
         clock: [clock; 2],
         noise: [const { Noise::olympiad(1.0) }; 2],
+        perception: [situation.perception(), situation.perception()],
         disclosure: situation.disclosure(),
         ..MatchSettings::new(situation.game)
     };
@@ -321,9 +322,10 @@ fn loss(reason: EndReason, why: &str) -> InputError {
 mod tests {
     use carom::Error;
     use carom::error::InputError;
+    use carom::resolve::cue_ball::Strike;
     use carom_mind::{Answer, Budget, Decision, Spent};
     use carom_plan::Progress;
-    use carom_rules::{Choice, FrameSimulator, Request};
+    use carom_rules::{Choice, FrameSimulator, Play, Request};
 
     use super::situations::Mode;
     use super::{CheckSettings, CheckVerdict, check, reached, scripts, situations};
@@ -344,6 +346,8 @@ mod tests {
             let NextStep::Ask(ask) = frame.next() else { panic!("{}", situation.name) };
             assert!((situation.is_reached)(&ask), "{}", situation.name);
             assert_eq!(ask.last.is_some(), frame.frame().shots() > 0, "{}", situation.name);
+            let sees_errors = ask.situation.frame.layout() != frame.frame().layout();
+            assert_eq!(sees_errors, situation.mode == Mode::Perceived, "{}", situation.name);
         }
     }
 
@@ -384,7 +388,7 @@ mod tests {
         let of_programs = situations::all().iter().filter(|s| s.is_for_programs()).count();
         let found = verdicts(good);
         let skipped = found.iter().filter(|verdict| verdict.passed.is_none()).count();
-        assert_eq!((skipped, of_programs), (of_programs, 4));
+        assert_eq!((skipped, of_programs), (of_programs, 6));
         for verdict in found.iter().filter(|verdict| verdict.passed.is_some()) {
             assert_eq!(verdict.passed, Some(true), "{verdict:?}");
         }
@@ -403,6 +407,40 @@ mod tests {
             found[0].fault.as_ref().expect("a fault of the opening");
         assert_eq!(place, "choice");
         assert!(!what.is_empty() && !remedy.is_empty());
+    }
+
+    #[test]
+    fn the_page_of_the_protocol_lists_every_situation() {
+        let page = include_str!("../../../../docs/arena-protocol.md");
+        for name in super::check_situations() {
+            let listed = if name.starts_with("opening of ") { "opening of GAME" } else { &name };
+            assert!(page.contains(&format!("| {listed} |")), "{name}");
+        }
+    }
+
+    #[test]
+    fn a_place_of_the_cue_ball_on_a_ball_that_is_seen_is_refused_with_a_remedy() {
+        let make = |_| -> Result<Answering, Error> {
+            Ok(Answering(|ask| match ask.situation.frame.turn() {
+                Some(turn) if turn.hand.is_some() => {
+                    let layout = ask.situation.frame.layout();
+                    let ball = layout.on_table().find(|ball| *ball != turn.cue);
+                    let place = ball.and_then(|ball| layout.place(ball));
+                    let strike =
+                        Strike { speed: 1.0, azimuth: 0.0, elevation: 0.1, side: 0.0, height: 0.0 };
+                    decision(Answer::Play(Play { cue_ball: place, ..Play::new(strike) }))
+                }
+                _ => good(ask),
+            }))
+        };
+        let settings = CheckSettings { is_program: true, ..SETTINGS };
+        let found = check(&make, &settings, &Progress::default(), &mut |_| ()).expect("a check");
+        let of = |name: &str| found.iter().find(|verdict| verdict.situation == name);
+        assert_eq!(of("balls seen with errors").and_then(|verdict| verdict.passed), Some(true));
+        let verdict = of("cue ball in hand among balls seen with errors").expect("a verdict");
+        let InputError { place, remedy, .. } = verdict.fault.as_ref().expect("a fault");
+        assert_eq!((verdict.passed, place.as_str()), (Some(false), "cue_ball"));
+        assert!(!remedy.is_empty());
     }
 
     #[test]

@@ -1,11 +1,16 @@
 //! The situations in which a player is asked.
 
+use carom::noise::Perception;
 use carom_rules::games::eight_ball::Group;
 use carom_rules::{Choice, Game, Region, Request};
 
 use super::scripts::{Step, is_choice};
 use crate::arena_frame::Ask;
 use crate::settings::Disclosure;
+
+/// Standard deviation of the places at which a player sees the balls, per coordinate, m: a tenth of a
+/// ball's radius, more than a player at a table would err.
+const SEEN: f64 = 0.003;
 
 /// What is special about how a situation is played.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,6 +23,8 @@ pub(super) enum Mode {
     ShortClock,
     /// No errors are disclosed: the messages have null for them. For programs alone.
     Undisclosed,
+    /// The player sees the balls with errors. For programs alone.
+    Perceived,
     /// The request has a menu. For programs alone.
     Menu,
     /// The messages have keys, and a message comes, that the protocol does not have. For programs alone.
@@ -77,9 +84,14 @@ impl CheckSituation {
         }
     }
 
+    /// The errors with which the player sees the balls.
+    pub(super) const fn perception(&self) -> Perception {
+        Perception::round(if matches!(self.mode, Mode::Perceived) { SEEN } else { 0.0 })
+    }
+
     /// Whether only a program can be asked.
     pub(super) const fn is_for_programs(&self) -> bool {
-        matches!(self.mode, Mode::Menu | Mode::Unknown | Mode::Undisclosed)
+        matches!(self.mode, Mode::Menu | Mode::Unknown | Mode::Undisclosed | Mode::Perceived)
     }
 }
 
@@ -91,9 +103,7 @@ pub(super) fn all() -> Vec<CheckSituation> {
     let of = CheckSituation::new;
     let openings = Game::ALL.map(|game| of(&format!("opening of {}", game.name()), game, &[], any));
     let rest = [
-        of("cue ball in hand anywhere", NineBall, &[Nothing], |ask| {
-            ask.situation.frame.turn().is_some_and(|turn| turn.hand == Some(Region::Anywhere))
-        }),
+        of("cue ball in hand anywhere", NineBall, &[Nothing], is_in_hand),
         of("choice after a foul on the break", EightBall, &[Nothing], is_choice),
         of(
             "cue ball in hand behind the head string",
@@ -139,6 +149,12 @@ pub(super) fn all() -> Vec<CheckSituation> {
         of("answer after a refusal", NineBall, &[], any).with(Mode::Refused),
         of("short clock", NineBall, &[], any).with(Mode::ShortClock),
         of("errors that are not disclosed", NineBall, &[], any).with(Mode::Undisclosed),
+        of("balls seen with errors", NineBall, &[Opening], |ask| {
+            ask.situation.frame.turn().is_some()
+        })
+        .with(Mode::Perceived),
+        of("cue ball in hand among balls seen with errors", NineBall, &[Nothing], is_in_hand)
+            .with(Mode::Perceived),
         of("unknown keys and messages", NineBall, &[], any).with(Mode::Unknown),
         of("menu of plays", EightBall, &[Opening], |ask| ask.situation.frame.turn().is_some())
             .with(Mode::Menu),
@@ -153,6 +169,10 @@ fn offers(ask: &Ask<'_>, choice: Choice) -> bool {
         Request::Choice { choices, .. } => choices.contains(&choice),
         _ => false,
     }
+}
+
+fn is_in_hand(ask: &Ask<'_>) -> bool {
+    ask.situation.frame.turn().is_some_and(|turn| turn.hand == Some(Region::Anywhere))
 }
 
 fn has_group(ask: &Ask<'_>) -> bool {
