@@ -89,7 +89,7 @@ impl TreeProcess {
         } else {
             self.threads().filter_map(|thread| children_of_thread(&thread)).flatten().collect()
         };
-        // A number may by now belong to a process that is no child.
+        // A number may by now belong to another process.
         numbers.into_iter().filter_map(Self::of).filter(|child| child.parent == number).collect()
     }
 }
