@@ -190,7 +190,7 @@ def test_ratings_are_on_the_page_and_in_csv_and_json(
     assert best["elo_low"] < best["elo"] < best["elo_high"]
     assert table["breaker"]["elo_low"] < table["breaker"]["elo"]
     text = page.read_text()
-    assert f"<td>{best['elo']:+.0f}</td>" in text
+    assert f"<td>{best['elo']:+.0f} <small>" in text
     assert "The player who begins a frame has an advantage of" in text
     with (tmp_path / "players.csv").open() as file:
         (row, *_) = csv.DictReader(file)
@@ -216,7 +216,7 @@ def test_a_sequential_test_has_a_table_of_its_own_without_ratings(tournament: Pa
         counts[int(2 * (first.points + second.points))] += 1
     assert test.test == SequentialTest(-5, 150, "nelo").state(counts)
     page = report_html(found, title="A", games=False)
-    assert "-5 against 150 normalised Elo" in page
+    assert "−5 against 150 normalised Elo" in page
     assert reports.tests_of(table)[0]["unit"] == "nelo"
 
 
@@ -261,7 +261,7 @@ def test_luck_of_a_real_match_is_in_the_report_and_its_page(tmp_path: Path) -> N
     page = report_html(found, title="A")
     assert "corrected for luck" in page
     low, high = (100 * end for end in adjusted.share_interval)
-    assert f"<td>{low:.1f} to {high:.1f}</td>" in page
+    assert f"<small>{low:.1f} to {high:.1f}</small>" in page.replace("−", "-")
     # The page of a game draws its curve from the luck of the moves.
     (packed,) = re.findall(r'id="match-0">([^<]*)<', page)
     _, *lines = gzip.decompress(base64.b64decode(packed)).decode().split("\n")

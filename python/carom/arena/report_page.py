@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import base64
 import gzip
-from collections.abc import Iterable, Sequence
+import re
+from collections.abc import Callable, Iterable, Sequence
 from html import escape
 from typing import Any
+from urllib.parse import unquote
 
 from carom import page
 from carom.arena.report import RatingInterval, Report, ReportTable, Share
@@ -26,30 +28,39 @@ _STYLE = """
 body { margin: 0 auto; max-width: 72rem; padding: 1rem; background: var(--ground);
   color: var(--ink); font: 1rem/1.5 system-ui, sans-serif; }
 h1 { font-size: 1.6rem; margin: .5rem 0; } h2 { font-size: 1.25rem; margin: 2rem 0 .25rem; }
-h3 { font-size: 1rem; margin: 1.25rem 0 .25rem; }
+h1, h2 { overflow-wrap: anywhere; }
+h3 { font-size: 1rem; font-weight: 400; color: var(--dim); margin: 1.25rem 0 .25rem; }
 p { margin: .25rem 0 .5rem; } .dim { color: var(--dim); }
 a { color: var(--accent); }
 .wide { overflow-x: auto; } .wide:focus-visible { outline: 2px solid var(--accent); }
 table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-caption { text-align: start; color: var(--dim); padding-bottom: .25rem; white-space: nowrap; }
-.wide { margin-top: 1rem; }
 th, td { padding: .25rem .6rem; border-bottom: 1px solid var(--line); text-align: end;
   white-space: nowrap; }
+small { color: var(--dim); margin-inline-start: .35rem; }
 th { font-weight: 600; } th[scope="row"], .text { text-align: start; }
-thead th { border-bottom-width: 2px; vertical-align: bottom; }
-tbody tr:hover { background: var(--soft); }
+th[scope="row"] { position: sticky; left: 0; background: var(--ground); min-width: 6rem;
+  max-width: 16rem; white-space: normal; overflow-wrap: break-word; }
+thead th, thead td { border-bottom-width: 2px; vertical-align: bottom; }
+thead th { white-space: normal; }
+tbody tr:hover, tbody tr:hover th { background: var(--soft); }
 td.text.why { white-space: normal; min-width: 12rem; }
 .bar { display: block; width: 9rem; height: .6rem; margin-top: .15rem; }
 .bar rect { fill: var(--line); } .bar line { stroke: var(--accent); stroke-width: 3; }
 .bar circle { fill: var(--accent); }
-details > summary { cursor: pointer; padding: .35rem 0; }
+details > summary { cursor: pointer; padding: .35rem 0; overflow-wrap: anywhere; }
 dialog { width: 100vw; height: 100vh; max-width: none; max-height: none; margin: 0; padding: 0;
   border: 0; background: var(--ground); color: var(--ink); }
 dialog[open] { display: flex; flex-direction: column; }
 dialog p { display: flex; gap: 1rem; align-items: center; margin: 0; padding: .35rem .75rem; }
 dialog iframe { flex: 1; width: 100%; border: 0; }
 button { font: inherit; padding: .2rem .8rem; }
-@media print { body { max-width: none; padding: 0; } .wide { overflow: visible; }
+@media (max-width: 40rem) { th[scope="row"] { max-width: 8rem; }
+  th, td { padding: .25rem .4rem; } }
+@media print { body { max-width: none; padding: 0; font-size: .7rem; } .wide { overflow: visible; }
+  :root { --line: #bbb; --soft: #fff; --ink: #000; --dim: #444; --accent: #000; --ground: #fff; }
+  th, td { padding: .15rem .3rem; } th, td.text { white-space: normal; }
+  h1 { font-size: 1.2rem; } h2 { font-size: 1rem; } h3 { font-size: .8rem; }
+  .bar { width: 4rem; } h2, h3 { break-after: avoid; } tr { break-inside: avoid; }
   a { color: inherit; text-decoration: none; } details:not([open]) { display: none; } }
 """
 
@@ -111,11 +122,9 @@ def report_html(report: Report, *, title: str, games: bool = True) -> str:
         f"<h1>{escape(title)}</h1>",
         f'<p class="dim">{_summary(report)}</p>',
         *([] if report.is_rated else [_NOT_RATED]),
-        *(part for table in report.tables for part in _table_parts(table)),
+        *(part for n, table in enumerate(report.tables) for part in _table_parts(n, table)),
         *_games(report, linked=viewer is not None),
     ]
-    if viewer is not None:
-        body += _viewer_parts(report, viewer)
     return "\n".join(
         [
             "<!doctype html>",
@@ -125,7 +134,10 @@ def report_html(report: Report, *, title: str, games: bool = True) -> str:
             f"<title>{escape(title)} · carom</title>",
             f"<style>{_STYLE}</style>",
             "<body>",
+            "<main>",
             *body,
+            "</main>",
+            *([] if viewer is None else _viewer_parts(report, viewer)),
             "</body></html>\n",
         ]
     )
@@ -155,86 +167,78 @@ def _summary(report: Report) -> str:
     )
 
 
-def _table_parts(table: ReportTable) -> Iterable[str]:
-    yield f"<h2>{escape(table.condition)}</h2>"
-    yield _players(table)
+def _table_parts(number: int, table: ReportTable) -> Iterable[str]:
+    of = f"condition-{number}"
+    yield f'<h2 id="{of}">{escape(table.condition)}</h2>'
+    yield _players(of, table)
     if table.breaker is not None:
         yield _ratings_note(table.breaker)
     if table.tests:
-        yield _tests(table)
+        yield _tests(of, table)
     if len(table.rows) > 2:
-        yield _cross(table)
-    yield _costs(table)
-    yield _losses(table)
+        yield _cross(of, table)
+    yield _costs(of, table)
+    yield _losses(of, table)
 
 
-def _players(table: ReportTable) -> str:
+def _players(of: str, table: ReportTable) -> str:
     is_rated = table.breaker is not None
     is_adjusted = any(row.adjusted for row in table.rows)
-    heads = ["player"]
-    if is_rated:
-        heads += ["rating, Elo", "interval"]
-    heads += ["share of points", "interval", ""]
+    heads = ["player", "rating, Elo"] if is_rated else ["player"]
+    heads += ["share of points", ""]
     if is_adjusted:
-        heads += ["corrected for luck", "interval", ""]
+        heads.append("corrected for luck")
     heads += ["frames", "won", "drawn", "lost"]
     rows = []
     for row in table.rows:
         frames = row.won + row.drawn + row.lost
         cells = [_row_head(row.name)]
         if is_rated:
-            cells += _rating_cells(row.rating)
-        cells += _share_cells(row.share)
+            cells.append(_with_interval(row.rating, _signed))
+        cells += [_with_interval(row.share, _percent), f"<td>{_bar(row.share)}</td>"]
         if is_adjusted:
-            cells += _share_cells(row.adjusted)
+            cells.append(_with_interval(row.adjusted, _percent))
         cells += map(_cell, (frames, row.won, row.drawn, row.lost))
         rows.append("".join(cells))
-    return _grid("Players", heads, rows)
+    return _grid(of, "Players, with intervals", heads, rows)
 
 
 def _ratings_note(breaker: RatingInterval) -> str:
-    elo, low, high = map(rating, breaker)
+    elo, low, high = map(_signed, breaker)
     return (
         '<p class="dim">Ratings are Elo points above the mean of the table (Bradley &amp; Terry). '
         f"The player who begins a frame has an advantage of {elo} ({low} to {high}).</p>"
     )
 
 
-def _rating_cells(found: RatingInterval | None) -> list[str]:
+def _with_interval(found: tuple[float, float, float] | None, shown: Callable[[float], str]) -> str:
+    """A value and its interval in one cell."""
     if found is None:
-        return [_cell("–"), _cell("")]
-    elo, low, high = map(rating, found)
-    return [_cell(elo), _cell(f"{low} to {high}")]
+        return _cell("–")
+    value, low, high = map(shown, found)
+    return f"<td>{value} <small>{low.removesuffix(' %')} to {high.removesuffix(' %')}</small></td>"
 
 
-def _tests(table: ReportTable) -> str:
+def _tests(of: str, table: ReportTable) -> str:
     heads = ["player", "against", "pairs", "share of points", "normalised Elo", "hypotheses"]
-    heads += ["log-likelihood ratio", "it ends at", "result"]
+    heads += ["log-likelihood ratio", "result"]
     rows = []
     for each in table.tests:
         test = each.test
         cells = [_row_head(each.players[0]), _text(each.players[1]), _cell(each.pairs)]
-        cells += [_cell(f"{_percent(each.share)} %"), _cell(rating(each.nelo))]
-        cells += [_cell(test.hypotheses), _cell(f"{test.llr:.2f}")]
-        cells += [_cell(f"{test.lower:.2f} or {test.upper:.2f}"), _text(test.state)]
-        rows.append("".join(cells))
+        cells += [_cell(_percent(each.share)), _cell(_signed(each.nelo))]
+        cells += [_text(_minus(test.hypotheses))]
+        ends = _minus(f"{test.lower:.2f} or {test.upper:.2f}")
+        cells.append(f"<td>{_minus(f'{test.llr:.2f}')} <small>ends at {ends}</small></td>")
+        rows.append("".join([*cells, _text(_minus(test.state))]))
     title = "Sequential tests. The share of a test that has ended is biased"
-    return _grid(title, heads, rows, texts=(1, 8))
+    return _grid(of, title, heads, rows, texts=(1, 5, 7))
 
 
-def _share_cells(share: Share | None) -> list[str]:
-    if share is None:
-        return [_cell("–"), _cell(""), _cell("")]
-    low, high = _percent(share.low), _percent(share.high)
-    return [
-        _cell(f"{_percent(share.value)} %"),
-        _cell(f"{low} to {high}"),
-        f"<td>{_bar(share)}</td>",
-    ]
-
-
-def _bar(share: Share) -> str:
+def _bar(share: Share | None) -> str:
     """A picture of a share and its interval; the numbers stand beside it."""
+    if share is None:
+        return ""
     low, value, high = (100 * min(max(end, 0.0), 1.0) for end in (share.low, share[0], share.high))
     return (
         '<svg class="bar" viewBox="0 0 100 10" preserveAspectRatio="none" aria-hidden="true">'
@@ -244,21 +248,20 @@ def _bar(share: Share) -> str:
     )
 
 
-def _cross(table: ReportTable) -> str:
+def _cross(of: str, table: ReportTable) -> str:
     names = [row.name for row in table.rows]
     rows = []
     for one in names:
         cells = [_row_head(one)]
         for other in names:
             share = table.cross.get((one, other))
-            cells.append(_cell("" if share is None else f"{_percent(share.value)} %"))
+            cells.append(_cell("" if share is None else _percent(share.value)))
         rows.append("".join(cells))
-    return _grid(
-        "Share of the points of each player (row) against each other one", ["", *names], rows
-    )
+    title = "Share of the points of each player (row) against each other one"
+    return _grid(of, title, ["", *names], rows)
 
 
-def _costs(table: ReportTable) -> str:
+def _costs(of: str, table: ReportTable) -> str:
     heads = ["player", "answers", "simulated shots an answer", "seconds an answer", "refused"]
     rows = []
     for row in table.rows:
@@ -270,10 +273,10 @@ def _costs(table: ReportTable) -> str:
             _row_head(row.name)
             + "".join(map(_cell, (costs.decisions, simulations, seconds, costs.refused)))
         )
-    return _grid("Costs, and refused answers", heads, rows)
+    return _grid(of, "Costs, and refused answers", heads, rows)
 
 
-def _losses(table: ReportTable) -> str:
+def _losses(of: str, table: ReportTable) -> str:
     reasons = sorted({reason for row in table.rows for reason in row.losses})
     if not reasons:
         return ""
@@ -282,7 +285,7 @@ def _losses(table: ReportTable) -> str:
     for row in table.rows:
         counts = [*(row.losses[reason] for reason in reasons), row.void]
         rows.append(_row_head(row.name) + "".join(_cell(count or "") for count in counts))
-    return _grid("Lost frames by the reason of their end", heads, rows)
+    return _grid(of, "Lost frames by the reason of their end", heads, rows)
 
 
 def _games(report: Report, *, linked: bool) -> Iterable[str]:
@@ -311,14 +314,14 @@ def _match(number: int, match: ReportMatch, *, linked: bool, is_open: bool) -> s
             + f'<td class="text why">{escape(frame.why)}</td>'
         )
     one, other = match.players
-    where = "" if match.folder == "." else f" · {match.folder}"
+    where = "" if match.folder == "." else f" · {unquote(match.folder)}"
     goes_on = "" if match.finished else ", goes on"
-    caption = f"{one} – {other}, {len(match.frames)} frames{goes_on}{where}"
+    title = f"{one} – {other}, {len(match.frames)} frames{goes_on}{where}"
     attribute = " open" if is_open else ""
-    return (
-        f"<details{attribute}><summary>{escape(caption)}</summary>"
-        f"{_grid('', heads, rows, texts=(1, 2, 3, 5))}</details>"
-    )
+    name = f"match-{number}-title"
+    frames = _scrolling(f'aria-labelledby="{name}"', heads, rows, texts=(1, 2, 3, 5))
+    summary = f'<summary id="{name}">{escape(title)}</summary>'
+    return f"<details{attribute}>{summary}{frames}</details>"
 
 
 def _viewer_parts(report: Report, viewer: str) -> Iterable[str]:
@@ -340,15 +343,27 @@ def _packed(name: str, text: str) -> str:
 
 
 def _grid(
-    caption: str, heads: Sequence[str], rows: Sequence[str], texts: Sequence[int] = ()
+    of: str, title: str, heads: Sequence[str], rows: Sequence[str], texts: Sequence[int] = ()
 ) -> str:
-    """A table that scrolls on a narrow screen."""
+    """A table that scrolls on a narrow screen, with its title above it.
+
+    Args:
+        of: The identifier of the heading above the title.
+        title: The title.
+        heads: The heads of the columns.
+        rows: The cells of each row.
+        texts: The columns with texts, apart from the first one.
+    """
+    name = f"{of}-{re.sub('[^a-z]+', '-', title.lower())}"
+    heading = f'<h3 id="{name}">{escape(title)}</h3>'
+    return heading + _scrolling(f'aria-labelledby="{of} {name}"', heads, rows, texts)
+
+
+def _scrolling(label: str, heads: Sequence[str], rows: Sequence[str], texts: Sequence[int]) -> str:
     columns = "".join(_head(head, is_text=k == 0 or k in texts) for k, head in enumerate(heads))
     body = "".join(f"<tr>{row}</tr>" for row in rows)
-    title = f"<caption>{escape(caption)}</caption>" if caption else ""
-    label = escape(caption or "Frames")
     return (
-        f'<div class="wide" role="region" aria-label="{label}" tabindex="0"><table>{title}'
+        f'<div class="wide" role="region" {label} tabindex="0"><table>'
         f"<thead><tr>{columns}</tr></thead><tbody>{body}</tbody></table></div>"
     )
 
@@ -371,4 +386,13 @@ def _text(value: str) -> str:
 
 
 def _percent(share: float) -> str:
-    return f"{100 * share:.1f}"
+    return _minus(f"{100 * share:.1f} %")
+
+
+def _signed(elo: float) -> str:
+    return _minus(rating(elo))
+
+
+def _minus(text: str) -> str:
+    """A text whose negative numbers have a minus sign, not a hyphen."""
+    return re.sub(r"(?<!\w)-(?=\d)", "−", text)

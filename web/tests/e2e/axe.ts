@@ -28,9 +28,14 @@ async function colored(page: Page): Promise<void> {
   });
 }
 
-/** The violations that axe finds, one line each. */
+/** The violations that axe finds in carom's page, one line each. */
 export async function violations(page: Page): Promise<string[]> {
   await colored(page);
+  return violationsOf(page);
+}
+
+/** The violations that axe finds in any page, one line each. */
+export async function violationsOf(page: Page): Promise<string[]> {
   await page.evaluate(AXE);
   const found = await page.evaluate(async () => {
     const { axe } = window as unknown as { axe: { run(): Promise<{ violations: Violation[] }> } };
