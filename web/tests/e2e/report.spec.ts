@@ -92,6 +92,23 @@ test("on a phone a name stays in sight and is not broken into letters", async ({
   expect((await head.boundingBox())!.x).toBeCloseTo(before.x, 0);
 });
 
+test("the curve of a game has the luck that was measured in its match", async ({ open }) => {
+  const url = report();
+  const page = await open();
+  await page.goto(url);
+  await page.locator("summary").first().click();
+  await page.getByRole("link", { name: "frame 1" }).first().click();
+  const viewer = page.frameLocator("iframe");
+  await viewer.getByRole("tab", { name: "Game" }).click();
+  const curve = viewer.getByRole("img", { name: /^Chance of .+ to win/ });
+  await curve.waitFor();
+  // Each shot is a solid step, its decision, and a dashed one, its luck.
+  await viewer.getByText(/solid lines are decisions, dashed lines are luck/).waitFor();
+  const steps = (kind: string) => curve.locator(`.${kind}`).count();
+  expect(await steps("luck")).toBeGreaterThan(2);
+  expect(await steps("decision")).toBe(await steps("luck"));
+});
+
 test("on paper no table is cut", async ({ open }) => {
   const url = report();
   const page = await open();
