@@ -19,6 +19,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import ladder
 import strategy
 from carom.bench.states import CLASSES
 from carom.plan.chance import Chance
@@ -38,6 +39,7 @@ PAGES = (
             "breaks",
             "contact",
             "guarantees",
+            "ladder",
             "many-balls",
             "photo",
             "realism",
@@ -479,6 +481,10 @@ TABLES: dict[str, Callable[[JSON], str]] = (
     | {
         name: lambda result, table=table: markdown(*head_and_lines(table(result["games"])))
         for name, table in strategy.VALUE_TABLES.items()
+    }
+    | {
+        name: lambda result, table=table: markdown(*head_and_lines(table(result)))
+        for name, table in ladder.TABLES.items()
     }
     | {f"paper-{name}": lambda _, table=table: table() for name, table in paper.TABLES.items()}
 )
