@@ -1,25 +1,22 @@
-"""``carom learn check``: tracks of balls that a camera saw."""
+"""``carom learn``: a table and its strikes from tracks of balls that a camera saw."""
 
 from __future__ import annotations
 
+import json as js
+import sys
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from carom import learn as tracks_of
-from carom.cli.output import emit_answer, say
+from carom.cli.output import emit, emit_answer, say
 from carom.cli.values import numbers
 from carom.errors import InputError
 
 learn = typer.Typer(
     no_args_is_help=True, help="Learn a table and its players from tracks of balls."
 )
-
-
-@learn.callback()
-def _group() -> None:
-    """Keep ``check`` a command of its own while it is the only one."""
 
 
 @learn.command()
@@ -108,6 +105,121 @@ def check(
         tracks_of.write_tracks(tracks_of.Tracks(header, tracks.shots), out)
         say(f"wrote {out} and {out}.json")
     emit_answer(tracks_of.check(tracks), json=json)
+
+
+TracksFile = Annotated[
+    Path,
+    typer.Argument(
+        metavar="TRACKS",
+        help="Tracks; `carom learn check TRACKS --out FILE` makes them of other columns and units.",
+    ),
+]
+TableName = Annotated[
+    str | None,
+    typer.Option(metavar="NAME", help="The table, such as carom-10ft; default: that of TRACKS."),
+]
+Radius = Annotated[float | None, typer.Option(help="Radius of the balls, m.")]
+Starts = Annotated[int, typer.Option(min=4, help="Starts of each search for a strike.")]
+Seed = Annotated[int, typer.Option(min=0, help="Seed of the starts.")]
+Threads = Annotated[
+    int | None, typer.Option(min=1, help="Number of threads; default: one per core.")
+]
+
+
+@learn.command()
+def table(
+    file: TracksFile,
+    out: Annotated[
+        Path, typer.Option("-o", "--out", metavar="FILE", help="Where to write what was learned.")
+    ] = Path("learned.json"),
+    table: TableName = None,
+    radius: Radius = None,
+    physics: Annotated[
+        str | None,
+        typer.Option(
+            metavar="NAME",
+            help="The physics to begin with, whose models stay; default: that of the table.",
+        ),
+    ] = None,
+    free: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="KEY",
+            help="A number to learn, such as rolling.a; may be repeated. Default: all.",
+        ),
+    ] = None,
+    rounds: Annotated[
+        int, typer.Option(min=1, help="How often the search for the strikes is repeated.")
+    ] = 3,
+    starts: Starts = 40,
+    seed: Seed = 0,
+    threads: Threads = None,
+    json: Annotated[bool, typer.Option("--json", help="Print what was learned as JSON.")] = False,
+) -> None:
+    """Learn the physics of a table, its nose lines and the camera's offset from filmed shots."""
+    learned = tracks_of.table(
+        tracks_of.read_tracks(file, table=table, radius=radius),
+        physics=physics,
+        free=free,
+        rounds=rounds,
+        starts=starts,
+        seed=seed,
+        threads=threads,
+        progress=sys.stderr.isatty(),
+    )
+    learned.save(out)
+    emit(learned.to_json() if json else learned.summary())
+    say(f"wrote {out}")
+
+
+@learn.command()
+def strikes(
+    file: TracksFile,
+    learned: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="What `carom learn table` wrote; default: the preset's physics."
+        ),
+    ] = None,
+    out: Annotated[
+        Path, typer.Option("-o", "--out", metavar="DIR", help="Folder for the shot files.")
+    ] = Path("strikes"),
+    table: TableName = None,
+    radius: Radius = None,
+    starts: Starts = 40,
+    seed: Seed = 0,
+    threads: Threads = None,
+    json: Annotated[bool, typer.Option("--json", help="Print the strikes as JSON.")] = False,
+) -> None:
+    """Find the strike of every filmed shot; write shot files that replay what was filmed."""
+    found = tracks_of.strikes(
+        tracks_of.read_tracks(file, table=table, radius=radius),
+        None if learned is None else tracks_of.Posterior.load(learned),
+        starts=starts,
+        seed=seed,
+        threads=threads,
+        progress=sys.stderr.isatty(),
+    )
+    out.mkdir(parents=True, exist_ok=True)
+    for index, strike in enumerate(found, 1):
+        strike.shot.save(out / f"{index:04}.json")
+    if json:
+        emit(js.dumps([strike.to_dict() for strike in found]))
+    else:
+        emit(
+            "\n".join(
+                [
+                    "file  shot      error (mm)  first 3 s",
+                    *map(_row, range(1, len(found) + 1), found),
+                ]
+            )
+        )
+    say(f"wrote {len(found)} shots to {out}")
+
+
+def _row(index: int, strike: tracks_of.FilmedStrike) -> str:
+    errors = f"{1000.0 * strike.rmse:10.1f}  {1000.0 * strike.rmse_3s:9.1f}"
+    return f"{index:04}  {strike.name:8}  {errors}"
 
 
 def _columns(text: str) -> dict[str, str]:

@@ -4,24 +4,37 @@ tracks = carom.learn.read_tracks("match.csv.gz")
 tracks["12"].balls["cue"].position      # (n, 2), m, in the table's frame
 print(tracks.findings)                  # what was assumed, repaired or left out
 
+learned = carom.learn.table(tracks)      # the physics, with intervals
+carom.learn.strikes(tracks, learned)     # every shot as it was played
+
 Parquet needs pyarrow: ``pip install 'carom[learn]'``.
 """
 
 from carom.learn.contacts import Contact
+from carom.learn.filmed_strikes import FilmedStrike, strikes
 from carom.learn.findings import Finding
+from carom.learn.fit_table import table
 from carom.learn.header import FileFrame, TracksHeader
+from carom.learn.posterior import LearnedTable, Posterior
 from carom.learn.quality import ShotQuality, TracksReport, check
 from carom.learn.read import read_tracks
 from carom.learn.recordings import cut_into_shots
 from carom.learn.segment import Run, Segments, segment
 from carom.learn.synthetic import SyntheticTracks, TrueContact, synthetic
+from carom.learn.table_model import PARAMETERS, Frame, Parameter
 from carom.learn.tracks import TrackedBall, TrackedShot, Tracks
 from carom.learn.write import write_tracks
 
 __all__ = [
+    "PARAMETERS",
     "Contact",
     "FileFrame",
+    "FilmedStrike",
     "Finding",
+    "Frame",
+    "LearnedTable",
+    "Parameter",
+    "Posterior",
     "Run",
     "Segments",
     "ShotQuality",
@@ -36,6 +49,8 @@ __all__ = [
     "cut_into_shots",
     "read_tracks",
     "segment",
+    "strikes",
     "synthetic",
+    "table",
     "write_tracks",
 ]

@@ -139,7 +139,7 @@ def _rows(
         found, lines, left_out = table.names, table.lines, table.left_out
         columns = list(zip(*table.rows, strict=True)) if table.rows else [()] * len(found)
         locate = locator(name)
-    if known is None and found == _MATCH and not given.keys() & {"table", "origin", "x", "unit"}:
+    if known is None and found == _MATCH and not given.keys() & {"origin", "x", "unit"}:
         known, note = _match_header(name)
         findings.append(note)
     header = _with(known or TracksHeader(), given)

@@ -1,0 +1,114 @@
+"""The strikes of filmed shots on a learned table, as shots that replay what was filmed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+from carom.arguments import whole
+from carom.lazy import np
+from carom.learn.fit_table import fit_error
+from carom.learn.observation import Observation, observe
+from carom.learn.posterior import Posterior
+from carom.learn.strike_search import StrikeProblem, search
+from carom.learn.table_model import TableModel
+from carom.learn.tracks import Tracks
+from carom.progress import progress_bar
+from carom.shot import Shot
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FilmedStrike:
+    """The strike that explains a filmed shot best.
+
+    Attributes:
+        name: The shot's name in the tracks.
+        shot: The shot with this strike; ``shot.simulate()`` replays what was filmed.
+        clock: Time of the strike after the first picture, s.
+        rmse: Root mean square distance of model and track over all balls and the whole time, m.
+        rmse_3s: The same for the first three seconds after the ball moves.
+        others: Further strikes that explain it, from the second best on: shape (n, 6), the columns
+            azimuth (rad), speed (m/s), side, height (ball radii), elevation (rad) and clock (s).
+    """
+
+    name: str
+    shot: Shot
+    clock: float
+    rmse: float
+    rmse_3s: float
+    others: NDArray[np.float64] = field(repr=False)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Plain values; the shot is that of a shot file."""
+        return {
+            "name": self.name,
+            "clock": self.clock,
+            "rmse": self.rmse,
+            "rmse_3s": self.rmse_3s,
+            "shot": self.shot.to_dict(),
+        }
+
+
+def strikes(
+    tracks: Tracks,
+    learned: Posterior | None = None,
+    *,
+    table: str | Mapping[str, Any] | None = None,
+    physics: str | Mapping[str, Any] | None = None,
+    starts: int = 40,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: bool = False,
+) -> list[FilmedStrike]:
+    """Find the strike of every filmed shot.
+
+    Args:
+        tracks: The filmed shots.
+        learned: The table, as ``carom.learn.table`` found it.
+        table: Without ``learned``: the table as a shot file has it; None is that of the tracks.
+        physics: Without ``learned``: its physics; None is the one that belongs to the table.
+        starts: Starts of the search for each strike.
+        seed: Seed of the starts.
+        threads: Number of threads; None for all cores. The result does not depend on it.
+        progress: Whether to show the progress on stderr.
+
+    Returns:
+        The strikes in the order of the shots. A shot for which none was found is missing.
+
+    Raises:
+        InputError: There is no table, or a shot has no motion.
+    """
+    whole("starts", starts, low=4)
+    if learned is None:
+        model = TableModel.of(tracks.header, table, physics, ())
+        vector = model.start
+    else:
+        model, vector = learned.model, learned.mean
+    found = []
+    with progress_bar(len(tracks), show=progress, what="strikes") as done:
+        for tracked in tracks:
+            observed = observe(tracked)
+            shot, frame = model.shot(observed, vector)
+            problem = StrikeProblem(observed, shot, frame, threads)
+            vectors, _ = search(problem, starts, seed)
+            if len(vectors):
+                found.append(_filmed(observed, problem, vectors))
+            done(1)
+    return found
+
+
+def _filmed(
+    observed: Observation, problem: StrikeProblem, vectors: NDArray[np.float64]
+) -> FilmedStrike:
+    azimuth, speed, side, height, elevation, clock = vectors[0].tolist()
+    file = problem.shot.to_dict()
+    file["strike"] |= {"speed": speed, "side": side, "height": height}
+    for key in ("azimuth_deg", "elevation_deg"):
+        file["strike"].pop(key, None)
+    file["strike"] |= {"azimuth": azimuth, "elevation": abs(elevation)}
+    rmse, early = fit_error(problem, vectors[0])
+    return FilmedStrike(observed.name, Shot.from_dict(file), clock, rmse, early, vectors[1:])

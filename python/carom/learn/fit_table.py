@@ -1,0 +1,248 @@
+"""Learning a table: physics, table and frame from filmed shots."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+from carom.errors import InputError
+from carom.lazy import np
+from carom.learn import levenberg
+from carom.learn.observation import Observation, observe
+from carom.learn.posterior import Posterior
+from carom.learn.strike_search import STEPS, StrikeProblem, residuals, root_mean_square, search
+from carom.learn.table_model import TableModel
+from carom.learn.tracks import Tracks
+from carom.progress import progress_bar
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+#: A shot counts up to the time at which model and track are farther apart, m. Beyond it they are on
+#: different ways, and derivatives there say nothing about the numbers.
+APART = 0.08
+#: A shot that is on the track for less, s, does not count.
+LEAST_HORIZON = 0.8
+#: Standard deviation of model minus track, m: at the strike, and its growth a second. The error of
+#: a model grows with every contact, and contacts come at a steady pace.
+SIGMA = (0.004, 0.004)
+#: A residual that is larger, in standard deviations, counts less.
+ROBUST = 2.0
+#: The steps of an iteration, in units of a parameter's step, at most.
+REACH = 2.0
+#: Below this largest step, in the same unit, the numbers have settled.
+SETTLED = 0.02
+#: Most steps of a round.
+ITERATIONS = 8
+#: Share of the curvature, and curvature, that damp a step.
+DAMPING = (0.002, 0.5)
+
+
+@dataclass(frozen=True, slots=True)
+class _Part:
+    """What one shot says about the free numbers, its strike eliminated.
+
+    Attributes:
+        curvature: Shape (p, p), in units of the parameters' steps.
+        gradient: Shape (p,).
+        vector: The strike.
+        horizon: s.
+    """
+
+    curvature: Floats
+    gradient: Floats
+    vector: Floats
+    horizon: float
+
+
+def table(
+    tracks: Tracks,
+    *,
+    table: str | Mapping[str, Any] | None = None,
+    physics: str | Mapping[str, Any] | None = None,
+    free: Iterable[str] | None = None,
+    rounds: int = 3,
+    starts: int = 40,
+    seed: int = 0,
+    threads: int | None = None,
+    progress: bool = False,
+) -> Posterior:
+    """Learn the physics of a table, its nose lines and the frame of the camera from filmed shots.
+
+    Two steps alternate. First a search finds the strike that explains each shot best. Then the free
+    numbers take Gauss–Newton steps on all shots together, where the strikes of the
+    shots are eliminated (variable projection, Golub & Pereyra 1973): a change of the physics comes
+    with the change of every strike that belongs to it. A shot counts up to the time at which its
+    model leaves the track by more than 8 cm.
+
+    Args:
+        tracks: The filmed shots.
+        table: The table as a shot file has it; None is that of the tracks' header.
+        physics: The models, and the numbers that are not learned, as a shot file has them; None is
+            the physics that belongs to the table.
+        free: Names of the numbers to learn (``carom.learn.PARAMETERS``); None for all that the
+            table and the models have.
+        rounds: How often the two steps alternate.
+        starts: Starts of the search for a strike.
+        seed: Seed of the starts.
+        threads: Number of threads; None for all cores.
+        progress: Whether to show the progress on stderr.
+
+    Returns:
+        The numbers with their uncertainty.
+
+    Raises:
+        InputError: There is no table, a name is unknown, or too few shots can be used.
+    """
+    model = TableModel.of(tracks.header, table, physics, free)
+    joint = _Joint([observe(shot) for shot in tracks], model, starts, seed, threads)
+    with progress_bar(rounds * len(tracks), show=progress, what="strikes") as done:
+        for index in range(rounds):
+            joint.search_strikes(index, done)
+            joint.settle()
+    return joint.posterior()
+
+
+class _Joint:
+    """Strikes and free numbers on the way to their best values."""
+
+    def __init__(
+        self,
+        observed: Sequence[Observation],
+        model: TableModel,
+        starts: int,
+        seed: int,
+        threads: int | None,
+    ) -> None:
+        self.observed = observed
+        self.model = model
+        self.starts = starts
+        self.seed = seed
+        self.threads = threads
+        self.vector = model.start
+        self.strikes: list[Floats | None] = [None] * len(observed)
+
+    def problem(self, index: int) -> StrikeProblem:
+        shot, frame = self.model.shot(self.observed[index], self.vector)
+        return StrikeProblem(self.observed[index], shot, frame, self.threads)
+
+    def search_strikes(self, turn: int, done: Callable[[int], object]) -> None:
+        """Looks for a better strike of every shot."""
+        for index, observed in enumerate(self.observed):
+            problem = self.problem(index)
+            found, cost = search(problem, self.starts, self.seed + 1000 * turn + index)
+            old = self.strikes[index]
+            if old is not None:
+                again, cost_again = levenberg.refine(
+                    problem.residuals(observed.end), old[None], np.array(STEPS), iterations=12
+                )
+                found, cost = np.concatenate((again, found)), np.append(cost_again, cost)
+            if cost.size and np.isfinite(cost.min()):
+                self.strikes[index] = found[cost.argmin()]
+            done(1)
+
+    def settle(self) -> None:
+        """Takes steps of the free numbers until they change little."""
+        for _ in range(ITERATIONS):
+            parts = [self.part(index) for index in range(len(self.observed))]
+            used = [part for part in parts if part is not None]
+            if not used:
+                raise InputError(
+                    "too-few-samples",
+                    "tracks",
+                    "no shot could be explained for as long as 0.8 s",
+                    "check the table, the radius, the unit and the axes (carom learn check)",
+                )
+            curvature = sum(part.curvature for part in used)
+            gradient = sum(part.gradient for part in used)
+            share, floor = DAMPING
+            diagonal = np.diag(np.diag(curvature) * share + floor)
+            step = np.linalg.solve(curvature + diagonal, gradient)
+            move = np.clip(step, -REACH, REACH) * self.model.steps
+            self.vector = self.model.clip(self.vector - move)
+            for index, part in enumerate(parts):
+                self.follow(index, part)
+            if np.abs(step).max() < SETTLED:
+                break
+
+    def follow(self, index: int, part: _Part | None) -> None:
+        """Moves a strike to its minimum under the new numbers."""
+        start = self.strikes[index] if part is None else part.vector
+        if start is None:
+            return
+        problem = self.problem(index)
+        found, cost = levenberg.refine(
+            problem.residuals(self.observed[index].end),
+            start[None],
+            np.array(STEPS),
+            iterations=6,
+            scale=0.05,
+        )
+        if np.isfinite(cost[0]):
+            self.strikes[index] = found[0]
+
+    def horizon(self, index: int, vector: Floats) -> float:
+        """The time at which the model leaves the track, s."""
+        observed = self.observed[index]
+        found = self.problem(index).residuals(observed.end)(vector[None])[0]
+        if not np.isfinite(found).all():
+            return 0.0
+        time = observed.until(observed.end).time
+        distance = np.hypot(*found[: 2 * time.size].reshape(-1, 2).T)
+        apart = time[distance > APART]
+        return float(apart.min()) if apart.size else observed.end
+
+    def part(self, index: int) -> _Part | None:
+        """What a shot says about the free numbers; None if it leaves the track too early."""
+        vector = self.strikes[index]
+        if vector is None:
+            return None
+        observed, model = self.observed[index], self.model
+        horizon = self.horizon(index, vector)
+        if horizon < observed.first_move + LEAST_HORIZON:
+            return None
+        problem = self.problem(index)
+        at = problem.residuals(horizon)
+        refined, _ = levenberg.refine(at, vector[None], np.array(STEPS), iterations=8, scale=0.03)
+        vector = refined[0]
+        here, by_strike = levenberg.derivatives(at, vector[None], np.array(STEPS))
+        tracks = observed.until(horizon)
+        changed = self.vector + levenberg.STEP * 20.0 * np.diag(model.steps)
+        shots, frames = zip(*(model.shot(observed, row) for row in changed), strict=True)
+        repeated = np.repeat(vector[None], len(shots), axis=0)
+        found = residuals([*shots], repeated, tracks, [*frames], self.threads)
+        size = found.shape[1]
+        here, by_strike = here[0, :size], by_strike[0, :, :size]
+        slopes = np.concatenate((by_strike, (found - here) / (levenberg.STEP * 20.0)))
+        if not np.isfinite(slopes).all():
+            return None
+        sigma = np.repeat(SIGMA[0] + SIGMA[1] * tracks.time, 2)
+        weight = levenberg.weights(here / sigma, ROBUST) / sigma**2
+        normal = (slopes * weight) @ slopes.T
+        gradient = (slopes * weight) @ here
+        count = len(STEPS)
+        strike = normal[:count, :count]
+        strike = strike + np.diag(1e-3 * np.diag(strike) + 1e-3)
+        eliminate = np.linalg.solve(strike, normal[:count, count:]).T
+        curvature = normal[count:, count:] - eliminate @ normal[:count, count:]
+        return _Part(curvature, gradient[count:] - eliminate @ gradient[:count], vector, horizon)
+
+    def posterior(self) -> Posterior:
+        """The numbers, and their covariance from the scatter between shots."""
+        parts = [self.part(index) for index in range(len(self.observed))]
+        used = [part for part in parts if part is not None]
+        curvatures = np.array([part.curvature for part in used])
+        gradients = np.array([part.gradient for part in used])
+        return Posterior.of(self.model, self.vector, curvatures, gradients)
+
+
+def fit_error(problem: StrikeProblem, vector: Floats) -> tuple[float, float]:
+    """Root mean square distance of model and track, m: over the whole time, and the first 3 s."""
+    end = problem.observed.end
+    found = problem.residuals(end)(vector[None])[0, :-1].reshape(-1, 2)
+    time = problem.observed.until(end).time
+    early = found[time <= problem.observed.first_move + 3.0]
+    return root_mean_square(found), root_mean_square(early)

@@ -1,0 +1,268 @@
+"""What was learned about a table: numbers with their uncertainty."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Self
+
+from carom.arguments import whole
+from carom.errors import InputError
+from carom.files import read_text, shown, write_whole
+from carom.lazy import np
+from carom.learn.table_model import Frame, TableModel
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+FORMAT = "carom-learned/1"
+#: Standard deviation of the weak prior, in steps of a parameter.
+PRIOR_STEPS = 10.0
+#: A number whose uncertainty is this share of its prior's is one that the tracks do not tell.
+UNKNOWN = 0.5
+#: A direction of numbers is one that the tracks do not tell apart above this correlation.
+TOGETHER = 0.95
+#: Quantile of the normal distribution for a two-sided interval of 90 %.
+NORMAL_90 = 1.6448536269514722
+
+
+@dataclass(frozen=True, slots=True)
+class LearnedTable:
+    """A table as shot files have it, and where the tracks lie on it.
+
+    Attributes:
+        table: The table.
+        physics: The physics.
+        frame: The frame of the tracks.
+    """
+
+    table: dict[str, Any]
+    physics: dict[str, Any]
+    frame: Frame
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Posterior:
+    """The free numbers of a table, jointly normal.
+
+    Attributes:
+        model: The table with its free numbers.
+        mean: Their values, shape (p,).
+        covariance: Shape (p, p).
+        shots: Number of shots that say something about them.
+    """
+
+    model: TableModel
+    mean: Floats
+    covariance: Floats
+    shots: int
+
+    @classmethod
+    def of(cls, model: TableModel, mean: Floats, curvatures: Floats, gradients: Floats) -> Self:
+        """The posterior whose covariance is the scatter of the numbers when a shot is left out.
+
+        The errors of a model within one shot belong together: they follow from the same strike and
+        the same contacts. So the shots are the independent observations. Without shot i the numbers
+        move by d = (H − Hᵢ)⁻¹ gᵢ, and the covariance is (n − 1)/n · Σ d dᵀ (the jackknife of Tukey
+        1958, which for clusters is CR3 of Bell & McCaffrey 2002). It does not trust the weights of
+        the samples. A weak prior bounds what the shots do not tell.
+
+        Args:
+            model: The table.
+            mean: The values, shape (p,).
+            curvatures: The curvature Hᵢ that each shot adds, shape (n, p, p), in steps.
+            gradients: The gradient gᵢ of each shot, shape (n, p), in steps.
+        """
+        shots, size = gradients.shape
+        whole = curvatures.sum(axis=0)
+        ridge = np.eye(size) * 1e-9 * np.trace(whole)
+        moves = np.linalg.solve(whole - curvatures + ridge, gradients[:, :, None])[:, :, 0]
+        scatter = moves.T @ moves * ((shots - 1) / shots)
+        # A direction along which no shot moves the numbers has no information either.
+        scatter += np.linalg.inv(whole + ridge)
+        spread = np.linalg.inv(np.linalg.inv(scatter) + np.eye(size) / PRIOR_STEPS**2)
+        covariance: Any = spread * np.outer(model.steps, model.steps)
+        return cls(model, mean, covariance, shots)
+
+    @property
+    def names(self) -> list[str]:
+        """Names of the numbers."""
+        return self.model.names
+
+    @property
+    def sigma(self) -> Floats:
+        """Standard deviation of each number."""
+        deviation: Floats = np.sqrt(np.diag(self.covariance))
+        return deviation
+
+    @property
+    def physics(self) -> dict[str, Any]:
+        """The learned physics, as a shot file has it."""
+        return self.model.parts(self.mean)[1]
+
+    @property
+    def table(self) -> dict[str, Any]:
+        """The learned table, as a shot file has it."""
+        return self.model.parts(self.mean)[0]
+
+    @property
+    def frame(self) -> Frame:
+        """Where the tracks lie on the table."""
+        return self.model.parts(self.mean)[2]
+
+    @property
+    def _quantile(self) -> float:
+        """Quantile of Student's t with n − 1 degrees of freedom for a two-sided interval of 90 %.
+
+        Its expansion about the normal quantile: Abramowitz & Stegun 1964, 26.7.5, two terms.
+        """
+        z, freedom = NORMAL_90, max(self.shots - 1, 1)
+        first = (z**3 + z) / (4.0 * freedom)
+        second = (5.0 * z**5 + 16.0 * z**3 + 3.0 * z) / (96.0 * freedom**2)
+        return z + first + second
+
+    def interval(self, name: str) -> tuple[float, float]:
+        """The interval of 90 % of a number.
+
+        Raises:
+            InputError: The number was not learned.
+        """
+        if name not in self.names:
+            raise InputError(
+                "unknown-name",
+                "name",
+                f"{name!r} was not learned",
+                f"choose from {', '.join(self.names)}",
+            )
+        index = self.names.index(name)
+        half = self._quantile * float(self.sigma[index])
+        return float(self.mean[index]) - half, float(self.mean[index]) + half
+
+    def draw(self, count: int, seed: int = 0) -> list[LearnedTable]:
+        """Tables that agree with the tracks: draws from the posterior, inside the bounds."""
+        random = np.random.default_rng(whole("seed", seed))
+        normal = random.standard_normal((whole("count", count), self.mean.size))
+        values, vectors = np.linalg.eigh(self.covariance)
+        root = vectors * np.sqrt(np.maximum(values, 0.0))
+        rows = self.model.clip(self.mean + normal @ root.T)
+        return [LearnedTable(*self.model.parts(row)) for row in rows]
+
+    def unknown(self) -> list[str]:
+        """What the tracks do not tell, in sentences."""
+        sentences = []
+        if self.shots < 2 * len(self.names):
+            sentences.append(
+                f"{self.shots} shots are few for {len(self.names)} numbers: the intervals are too "
+                "narrow. Film more shots, or learn fewer numbers."
+            )
+        share = self.sigma / (PRIOR_STEPS * self.model.steps)
+        for parameter, value in zip(self.model.free, share, strict=True):
+            if value > UNKNOWN:
+                sentences.append(
+                    f"{parameter.name}: these shots do not tell the {parameter.about}."
+                )
+        correlation = self.covariance / np.outer(self.sigma, self.sigma)
+        for i, j in zip(*np.triu_indices(len(self.names), 1), strict=True):
+            if abs(correlation[i, j]) > TOGETHER:
+                first, second = self.names[i], self.names[j]
+                sentences.append(
+                    f"{first} and {second} cannot be told apart with these shots "
+                    f"(correlation {correlation[i, j]:.2f})."
+                )
+        return sentences
+
+    def summary(self) -> str:
+        """A table of the numbers with their intervals, and what the tracks do not tell."""
+        lines = [f"Learned from {self.shots} shots; intervals of 90 %.", ""]
+        width = max(map(len, self.names))
+        for parameter, value in zip(self.model.free, self.mean.tolist(), strict=True):
+            low, high = self.interval(parameter.name)
+            unit = f" {parameter.unit}" if parameter.unit else ""
+            lines.append(f"{parameter.name:{width}}  {value:9.5f}  [{low:.5f}, {high:.5f}]{unit}")
+        if sentences := self.unknown():
+            lines += ["", *sentences]
+        return "\n".join(lines)
+
+    def to_dict(self) -> dict[str, Any]:
+        """``carom-learned/1``: physics, table, frame and posterior."""
+        frame = self.frame
+        return {
+            "format": FORMAT,
+            "physics": self.physics,
+            "table": self.table,
+            "frame": {"offset": [*frame.offset], "rotation": frame.rotation},
+            "posterior": {
+                "names": self.names,
+                "mean": self.mean.tolist(),
+                "covariance": self.covariance.tolist(),
+                "shots": self.shots,
+                "base": {
+                    "table": self.model.table,
+                    "physics": self.model.physics,
+                    "radius": self.model.radius,
+                },
+            },
+        }
+
+    def to_json(self) -> str:
+        """The same as text."""
+        return json.dumps(self.to_dict(), indent=1, ensure_ascii=False)
+
+    def save(self, path: str | os.PathLike[str]) -> None:
+        """Write ``carom-learned/1`` as JSON."""
+        write_whole(path, self.to_json() + "\n")
+
+    @classmethod
+    def from_dict(cls, file: Mapping[str, Any]) -> Self:
+        """Read ``carom-learned/1``.
+
+        Raises:
+            InputError: A key is missing, or a shape does not fit.
+        """
+        if file.get("format") != FORMAT:
+            raise InputError(
+                "wrong-format", "format", f"it is {file.get('format')!r}", f"write {FORMAT!r}"
+            )
+        try:
+            part = file["posterior"]
+            base = part["base"]
+            model = TableModel(base["table"], base["physics"], part["names"], base["radius"])
+            mean = np.array(part["mean"], dtype=np.float64)
+            covariance = np.array(part["covariance"], dtype=np.float64)
+            shots = int(part["shots"])
+        except (KeyError, TypeError, ValueError) as error:
+            raise InputError(
+                "missing",
+                "posterior",
+                f"it cannot be read ({error})",
+                "write it with Posterior.save",
+            ) from None
+        if mean.shape != (len(model.names),) or covariance.shape != (mean.size, mean.size):
+            raise InputError(
+                "wrong-count",
+                "posterior",
+                f"{len(model.names)} names, a mean of shape {mean.shape} and a covariance of shape "
+                f"{covariance.shape} do not fit",
+                "write it with Posterior.save",
+            )
+        return cls(model, mean, covariance, shots)
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Self:
+        """Read ``carom-learned/1`` from a file.
+
+        Raises:
+            OSError: The file cannot be read.
+            InputError: It is not one that ``save`` wrote.
+        """
+        try:
+            file = json.loads(read_text(path))
+        except json.JSONDecodeError as error:
+            raise InputError(
+                "not-json", shown(path), f"it is not JSON: {error}", "write it with Posterior.save"
+            ) from None
+        return cls.from_dict(file)

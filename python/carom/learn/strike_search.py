@@ -1,0 +1,193 @@
+"""The strike of a filmed shot: what the cue did, from what the balls did."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+from carom.candidates import Candidates
+from carom.lazy import np
+from carom.learn import levenberg
+from carom.learn.observation import Observation
+from carom.learn.table_model import Frame
+from carom.shot import Shot
+from carom.tracks import BallTracks, track_residuals
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+#: The numbers of a strike, in the order of a vector: the strike's own, and the time of the strike
+#: on the clock of the tracks, s.
+NAMES = ("azimuth", "speed", "side", "height", "elevation", "clock")
+#: A useful step of each.
+STEPS = (0.01, 0.05, 0.08, 0.08, 0.03, 0.008)
+#: Largest distance of the tip from the centre, in radii, that a search looks at.
+LARGEST_OFFSET = 0.6
+#: The same of the elevation, rad, and of the speed, m/s.
+LARGEST_ELEVATION = 0.9
+LARGEST_SPEED = 12.0
+#: The elevation, the height and the side of a strike trade off. Among strikes that explain a shot
+#: equally well the one nearest to the elevation of a plain stroke, rad, is taken: a radian away
+#: costs as much as an error of so many metres in one coordinate of one picture.
+PLAIN_ELEVATION = 0.05
+PLAIN_WEIGHT = 0.05
+#: The first horizon of a search, s, and its growth.
+FIRST_HORIZON = 0.8
+GROWTH = 1.5
+#: Scale of the robust loss while the horizon grows, m.
+SCALE = 0.03
+
+
+class StrikeProblem:
+    """Residuals of strikes of one shot on one table.
+
+    Args:
+        observed: What was seen.
+        shot: The balls as they lay.
+        frame: Where the tracks lie on the table.
+        threads: Threads of the engine.
+    """
+
+    def __init__(
+        self, observed: Observation, shot: Shot, frame: Frame, threads: int | None = None
+    ) -> None:
+        self.observed = observed
+        self.shot = shot
+        self.frame = frame
+        self.threads = threads
+
+    def residuals(self, horizon: float) -> Callable[[Floats], Floats]:
+        """The function from vectors, (n, 6), to model minus track, m, (n, m), up to a time."""
+        tracks = self.observed.until(horizon)
+
+        def at(vectors: Floats) -> Floats:
+            found = residuals(self.shot, vectors, tracks, self.frame, self.threads)
+            low, high = self.observed.strike_time
+            clock = vectors[:, -1]
+            found[(clock < low) | (clock > high)] = np.nan
+            tilt = PLAIN_WEIGHT * (np.abs(vectors[:, 4:5]) - PLAIN_ELEVATION)
+            return np.concatenate((found, tilt), axis=1)
+
+        return at
+
+    def begin(self) -> tuple[float, float]:
+        """Azimuth, rad, and speed of the cue, m/s, that the first pictures show."""
+        samples = self.observed.samples[self.observed.struck]
+        moved = samples.position[samples.time >= samples.time[0] + self.observed.first_move - 1e-9]
+        times = samples.time[samples.time >= samples.time[0] + self.observed.first_move - 1e-9]
+        count = int(np.clip(np.searchsorted(times, times[0] + 0.09), 1, len(times) - 1))
+        way = moved[count] - samples.position[0]
+        speed = math.dist(moved[count], moved[0]) / (times[count] - times[0])
+        azimuth = math.atan2(way[1], way[0]) + self.frame.rotation
+        # A cue gives a ball about 1.3 times its own speed.
+        return azimuth, max(speed, 0.1) / 1.3
+
+
+def residuals(
+    shots: Shot | list[Shot],
+    vectors: Floats,
+    tracks: BallTracks,
+    frame: Frame | list[Frame],
+    threads: int | None,
+) -> Floats:
+    """Model minus track, m, for strikes of one shot or of one shot each.
+
+    Args:
+        shots: The balls as they lay; a list has one for each vector.
+        vectors: Shape (n, 6): ``NAMES``.
+        tracks: What was seen.
+        frame: Where the tracks lie on the table; a list has one for each vector.
+        threads: Threads of the engine.
+
+    Returns:
+        Shape (n, m); NaN for a strike that cannot be.
+    """
+    azimuth, speed, side, height, elevation, clock = vectors.T
+    tilt = np.abs(elevation)
+    possible = (
+        (side * side + height * height < LARGEST_OFFSET**2)
+        & (speed > 0.02)
+        & (speed < LARGEST_SPEED)
+        & (tilt < LARGEST_ELEVATION)
+    )
+    strike = {
+        "azimuth": azimuth,
+        "speed": np.where(possible, speed, np.nan),
+        "side": side,
+        "height": height,
+        "elevation": tilt,
+    }
+    frames = frame if isinstance(frame, list) else [frame]
+    found = track_residuals(
+        Candidates(shots, strike=strike),
+        tracks,
+        clock=clock,
+        offset=np.array([one.offset for one in frames]),
+        rotation=np.array([one.rotation for one in frames]),
+        threads=threads,
+    )
+    assert found.residual is not None  # they were asked for
+    return found.residual.reshape(len(vectors), -1)
+
+
+def search(problem: StrikeProblem, starts: int, seed: int, keep: int = 4) -> tuple[Floats, Floats]:
+    """The best strikes of a shot from many starts: vectors, (n, 6), and sums of squares, m².
+
+    The azimuth and the speed begin at what the first pictures show; the tip's offset and the
+    elevation are drawn. The horizon grows: after a contact the sum of squares has many narrow
+    minima, which only a start that is already near can find.
+    """
+    end = problem.observed.end
+    random = np.random.default_rng((seed, 0x5712))
+    azimuth, speed = problem.begin()
+    radius = 0.5 * np.sqrt(random.random(starts))
+    angle = 2.0 * np.pi * random.random(starts)
+    vectors = np.column_stack(
+        (
+            np.full(starts, azimuth),
+            np.full(starts, speed),
+            radius * np.cos(angle),
+            radius * np.sin(angle),
+            0.02 + 0.12 * random.random(starts),
+            np.full(starts, np.mean(problem.observed.strike_time)),
+        )
+    )
+    steps = np.array(STEPS)
+    begin = problem.observed.first_move
+    horizon = min(begin + FIRST_HORIZON, end)
+    vectors, cost = levenberg.refine(
+        problem.residuals(horizon), vectors, steps, iterations=6, scale=0.02
+    )
+    while horizon < end:
+        share = FIRST_HORIZON / (horizon - begin)
+        vectors = _distinct(vectors, cost, max(6, int(starts * share)))
+        horizon = min(begin + (horizon - begin) * GROWTH, end)
+        vectors, cost = levenberg.refine(
+            problem.residuals(horizon), vectors, steps, iterations=8, scale=SCALE
+        )
+    vectors = _distinct(vectors, cost, keep)
+    vectors, cost = levenberg.refine(problem.residuals(end), vectors, steps, iterations=15)
+    order = np.argsort(cost, kind="stable")
+    order = order[np.isfinite(cost[order])]
+    return vectors[order], cost[order]
+
+
+def _distinct(vectors: Floats, cost: Floats, count: int) -> Floats:
+    """The best vectors that are not the same minimum as a better one."""
+    chosen: list[Floats] = []
+    for index in np.argsort(cost, kind="stable"):
+        if not np.isfinite(cost[index]) or len(chosen) == count:
+            break
+        scaled = vectors[index] / np.array(STEPS)
+        if all(((scaled - other) ** 2).sum() > 0.05 for other in chosen):
+            chosen.append(scaled)
+    kept: Floats = np.array(chosen).reshape(-1, len(STEPS)) * np.array(STEPS)
+    return kept
+
+
+def root_mean_square(found: Floats) -> float:
+    """Root mean square distance, m, of residuals in x and y, shape (n, 2)."""
+    return float(np.sqrt(np.mean((found * found).sum(axis=1))))

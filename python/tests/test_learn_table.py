@@ -1,0 +1,125 @@
+"""A table and the strikes of its shots are found again from tracks that the engine made."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import carom
+import numpy as np
+import pytest
+from carom import learn
+from carom.errors import CaromError, InputError
+from carom.learn.table_model import TableModel
+
+TRUTH = {
+    "base": "carom",
+    "cloth": {"sliding_friction": 0.195, "rolling_friction": carom.rolling_bands(0.048, 0.0142)},
+    "cushion": {"restitution": {"a": 0.88}},
+}
+FREE = ("cloth.sliding_friction", "rolling.a", "cushion.restitution.a", "frame.x", "frame.y")
+TRUE = (0.195, 0.048, 0.88, 0.0015, -0.001)
+
+
+def three_cushion_shots(count: int, seed: int = 4) -> list[carom.Shot]:
+    """Shots with random places of the balls and random strikes."""
+    random = np.random.default_rng(seed)
+    shots: list[carom.Shot] = []
+    while len(shots) < count:
+        places = random.uniform((0.1, 0.1), (1.32, 2.74), (3, 2))
+        radius, angle = 0.4 * math.sqrt(random.random()), random.uniform(0.0, 2.0 * math.pi)
+        strike = {
+            "ball": "1",
+            "speed": random.uniform(1.2, 3.0),
+            "azimuth_deg": random.uniform(0.0, 360.0),
+            "side": radius * math.cos(angle),
+            "height": radius * math.sin(angle),
+            "elevation_deg": random.uniform(2.0, 6.0),
+        }
+        try:
+            shot = carom.Shot(
+                "carom-10ft",
+                {str(i + 1): place.tolist() for i, place in enumerate(places)},
+                strike,
+                physics=TRUTH,
+            )
+        except CaromError:  # balls that overlap
+            continue
+        shots.append(shot)
+    return shots
+
+
+@pytest.fixture(scope="module")
+def filmed() -> learn.SyntheticTracks:
+    starts = np.linspace(0.3, 0.42, 8)
+    return learn.synthetic(
+        three_cushion_shots(8), sigma=0.001, clock_offset=starts, offset=(0.0015, -0.001), seed=1
+    )
+
+
+@pytest.fixture(scope="module")
+def learned(filmed: learn.SyntheticTracks) -> learn.Posterior:
+    return learn.table(filmed.tracks, physics="carom", free=FREE, rounds=2, starts=24)
+
+
+def test_numbers_are_found_again(learned: learn.Posterior) -> None:
+    errors = np.abs(learned.mean - TRUE) / learned.model.steps
+    assert errors.max() < 0.4, learned.summary()
+
+
+def test_intervals_cover_the_truth_when_errors_of_a_shot_belong_together() -> None:
+    """A linear model whose samples all have the error of their shot, 400 times."""
+    random = np.random.default_rng(7)
+    model = TableModel("carom-10ft", "carom", FREE[:3])
+    truth, covered = model.start, []
+    for _ in range(400):
+        slopes = random.standard_normal((40, 30, 3)) + random.standard_normal((40, 1, 3))
+        errors = random.standard_normal((40, 1)) + 0.2 * random.standard_normal((40, 30))
+        curvatures = slopes.transpose(0, 2, 1) @ slopes
+        step = np.linalg.solve(curvatures.sum(axis=0), np.einsum("nks,nk->s", slopes, errors))
+        gradients = np.einsum("nks,nk->ns", slopes, slopes @ step - errors)
+        found = learn.Posterior.of(model, truth + step * model.steps, curvatures, gradients)
+        intervals = [found.interval(name) for name in FREE[:3]]
+        covered += [low < true < high for (low, high), true in zip(intervals, truth, strict=True)]
+    assert 0.87 < np.mean(covered) < 0.94
+
+
+def test_strikes_are_found_on_the_learned_table(
+    filmed: learn.SyntheticTracks, learned: learn.Posterior
+) -> None:
+    found = learn.strikes(filmed.tracks[:3], learned, starts=24)
+    for strike, trace, start in zip(found, filmed.traces, filmed.clock_offset, strict=False):
+        true = trace.shot.strike
+        assert true is not None
+        assert strike.shot.strike is not None
+        assert strike.rmse < 0.004
+        assert abs(strike.clock - start) < 0.004
+        turn = strike.shot.strike.azimuth - true.azimuth
+        assert abs(math.remainder(turn, 2.0 * math.pi)) < 0.05
+
+
+def test_a_learned_table_is_read_as_it_was_written(
+    learned: learn.Posterior, tmp_path: Path
+) -> None:
+    path = tmp_path / "learned.json"
+    learned.save(path)
+    again = learn.Posterior.load(path)
+    assert again.to_dict() == learned.to_dict()
+
+
+def test_draws_scatter_as_the_covariance_says(learned: learn.Posterior) -> None:
+    draws = learned.draw(400, seed=3)
+    sliding = [draw.physics["cloth"]["sliding_friction"] for draw in draws]
+    assert np.std(sliding) == pytest.approx(learned.sigma[0], rel=0.15)
+
+
+def test_shots_without_motion_are_named() -> None:
+    still = learn.TrackedShot("7", {"1": ([0.0, 1.0], [[0.5, 0.5], [0.5, 0.5]])})
+    tracks = learn.Tracks(learn.TracksHeader(table="carom-10ft"), (still,))
+    with pytest.raises(InputError, match=r"shot 7: no ball moves"):
+        learn.table(tracks)
+
+
+def test_an_unknown_number_is_refused(filmed: learn.SyntheticTracks) -> None:
+    with pytest.raises(InputError, match=r"cannot be learned"):
+        learn.table(filmed.tracks, free=["cloth.colour"])
