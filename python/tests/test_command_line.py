@@ -541,6 +541,29 @@ def test_a_cling_of_every_contact_changes_the_chances(run: CommandLine, file: Pa
     refused(run("evaluate", str(file), "--cling", "1.5"), "noise.cling_probability", "1.5")
 
 
+def test_learn_table_and_strikes_write_what_they_found(run: CommandLine, tmp_path: Path) -> None:
+    layout = {"1": (0.5, 0.6), "2": (0.9, 2.2), "3": (0.3, 1.8)}
+    strikes = [carom.Strike(speed=1.6, azimuth_deg=angle) for angle in (50.0, 72.0)]
+    shots = [
+        carom.Shot("carom-10ft", layout, dict(strike.to_dict(), ball="1")) for strike in strikes
+    ]
+    film = tmp_path / "film.csv"
+    carom.learn.write_tracks(carom.learn.synthetic(shots, clock_offset=0.3).tracks, film)
+    learned, folder = tmp_path / "learned.json", tmp_path / "strikes"
+    few = ["--starts", "8"]
+    numbers = ["--free", "rolling.a", "--rounds", "1", "--out", str(learned)]
+    done = run("learn", "table", str(film), *numbers, *few)
+    assert "rolling.a" in done.stdout
+    assert json.loads(learned.read_text())["posterior"]["names"] == ["rolling.a"]
+    done = run("learn", "strikes", str(film), "--learned", str(learned), "--out", str(folder), *few)
+    assert [path.name for path in sorted(folder.iterdir())] == ["0001.json", "0002.json"]
+    assert "wrote 2 shots" in done.stderr
+    found = carom.Shot.load(folder / "0001.json").strike
+    assert found is not None
+    assert found.azimuth_deg == pytest.approx(50.0, abs=2.0)
+    refused(run("learn", "table", str(film), "--free", "colour"), "cannot be learned")
+
+
 def test_learn_check_prints_the_quality_of_each_shot(run: CommandLine, tmp_path: Path) -> None:
     rows = [f"{n};{x}" for n, x in enumerate([700, *range(700, 1300, 12)])]
     film = "time;px;py;who\n" + "".join(f"{row};0;cue\n" for row in rows)

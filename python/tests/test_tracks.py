@@ -234,10 +234,13 @@ def match_file(tracks: Tracks, path: Path) -> None:
     path.write_bytes(gzip.compress(("\n".join(lines) + "\n").encode()))
 
 
-def test_a_three_cushion_match_is_read_without_a_header(tmp_path: Path) -> None:
+@pytest.mark.parametrize("given", [{}, {"table": TABLE, "radius": RADIUS}])
+def test_a_three_cushion_match_is_read_without_a_header(
+    given: dict[str, Any], tmp_path: Path
+) -> None:
     tracks = learn.synthetic([shot()], least_move=0.02).tracks
     match_file(tracks, tmp_path / "match.csv.gz")
-    found = learn.read_tracks(tmp_path / "match.csv.gz")
+    found = learn.read_tracks(tmp_path / "match.csv.gz", **given)
     assert found.header.table == TABLE
     assert found.header.radius == RADIUS
     assert [finding.kind for finding in found.findings] == ["assumed"]
