@@ -170,7 +170,7 @@ class Posterior:
             if abs(correlation[i, j]) > TOGETHER:
                 first, second = self.names[i], self.names[j]
                 sentences.append(
-                    f"{first} and {second} cannot be told apart with these shots "
+                    f"{first} and {second} cannot be separated with these shots "
                     f"(correlation {correlation[i, j]:.2f})."
                 )
         return sentences

@@ -31,7 +31,7 @@ LARGEST_ELEVATION = 0.9
 LARGEST_SPEED = 12.0
 #: The elevation, the height and the side of a strike trade off. Among strikes that explain a shot
 #: equally well the one nearest to the elevation of a plain stroke, rad, is taken: a radian away
-#: costs as much as an error of so many metres in one coordinate of one picture.
+#: costs as much as an error of 0.05 m in one coordinate of one picture.
 PLAIN_ELEVATION = 0.05
 PLAIN_WEIGHT = 0.05
 #: The first horizon of a search, s, and its growth.
