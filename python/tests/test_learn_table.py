@@ -107,6 +107,23 @@ def test_a_learned_table_is_read_as_it_was_written(
     assert again.to_dict() == learned.to_dict()
 
 
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("{", "learned.json"),
+        ('{"format": "carom-shot/1"}', "carom-learned/1"),
+        ('{"format": "carom-learned/1"}', "cannot be read"),
+    ],
+)
+def test_a_damaged_file_of_a_learned_table_is_refused(
+    text: str, words: str, tmp_path: Path
+) -> None:
+    path = tmp_path / "learned.json"
+    path.write_text(text)
+    with pytest.raises(InputError, match=words):
+        learn.Posterior.load(path)
+
+
 def test_draws_scatter_as_the_covariance_says(learned: learn.Posterior) -> None:
     draws = learned.draw(400, seed=3)
     sliding = [draw.physics["cloth"]["sliding_friction"] for draw in draws]

@@ -151,7 +151,7 @@ class _Joint:
             used = [part for part in parts if part is not None]
             if not used:
                 raise InputError(
-                    "too-few-samples",
+                    "wrong-count",
                     "tracks",
                     "no shot could be explained for as long as 0.8 s",
                     "check the table, the radius, the unit and the axes (carom learn check)",

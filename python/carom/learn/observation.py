@@ -93,7 +93,7 @@ def observe(shot: TrackedShot, rate: float = RATE) -> Observation:
     moves = {name: when for name, ball in balls.items() if (when := first_move(ball)) is not None}
     if not moves:
         raise InputError(
-            "no-motion",
+            "wrong-state",
             f"shot {shot.name}",
             f"no ball moves by {1000.0 * MOVED:g} mm",
             "leave the shot out, or check the unit of its positions",
@@ -101,7 +101,7 @@ def observe(shot: TrackedShot, rate: float = RATE) -> Observation:
     struck = min(moves, key=lambda name: moves[name])
     if len(balls[struck]) < 5:
         raise InputError(
-            "too-few-samples",
+            "wrong-count",
             f"shot {shot.name}",
             f"ball {struck} moves, and has {len(balls[struck])} samples",
             "leave the shot out",

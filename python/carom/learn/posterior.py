@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, Self
 
+from carom import _core
 from carom.arguments import whole
 from carom.errors import InputError
 from carom.files import read_text, shown, write_whole
@@ -225,7 +226,7 @@ class Posterior:
         """
         if file.get("format") != FORMAT:
             raise InputError(
-                "wrong-format", "format", f"it is {file.get('format')!r}", f"write {FORMAT!r}"
+                "format", "format", f"it is {file.get('format')!r}", f"write {FORMAT!r}"
             )
         try:
             part = file["posterior"]
@@ -259,10 +260,5 @@ class Posterior:
             OSError: The file cannot be read.
             InputError: It is not one that ``save`` wrote.
         """
-        try:
-            file = json.loads(read_text(path))
-        except json.JSONDecodeError as error:
-            raise InputError(
-                "not-json", shown(path), f"it is not JSON: {error}", "write it with Posterior.save"
-            ) from None
+        file = _core.read_json(read_text(path), shown(path))
         return cls.from_dict(file)
