@@ -12,7 +12,7 @@ from carom.learn.fit_table import fit_error
 from carom.learn.observation import Observation, observe
 from carom.learn.posterior import Posterior
 from carom.learn.strike_search import StrikeProblem, search
-from carom.learn.table_model import TableModel
+from carom.learn.table_model import POLICIES, TableModel
 from carom.learn.tracks import Tracks
 from carom.progress import progress_bar
 from carom.shot import Shot
@@ -106,9 +106,14 @@ def _filmed(
 ) -> FilmedStrike:
     azimuth, speed, side, height, elevation, clock = vectors[0].tolist()
     file = problem.shot.to_dict()
-    file["strike"] |= {"speed": speed, "side": side, "height": height}
-    for key in ("azimuth_deg", "elevation_deg"):
-        file["strike"].pop(key, None)
-    file["strike"] |= {"azimuth": azimuth, "elevation": abs(elevation)}
+    file["strike"] = {
+        **POLICIES,
+        "ball": observed.struck,
+        "speed": speed,
+        "azimuth": azimuth,
+        "elevation": abs(elevation),
+        "side": side,
+        "height": height,
+    }
     rmse, early = fit_error(problem, vectors[0])
     return FilmedStrike(observed.name, Shot.from_dict(file), clock, rmse, early, vectors[1:])

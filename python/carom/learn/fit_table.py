@@ -49,13 +49,11 @@ class _Part:
         curvature: Shape (p, p), in units of the parameters' steps.
         gradient: Shape (p,).
         vector: The strike.
-        horizon: s.
     """
 
     curvature: Floats
     gradient: Floats
     vector: Floats
-    horizon: float
 
 
 def table(
@@ -228,7 +226,7 @@ class _Joint:
         strike = strike + np.diag(1e-3 * np.diag(strike) + 1e-3)
         eliminate = np.linalg.solve(strike, normal[:count, count:]).T
         curvature = normal[count:, count:] - eliminate @ normal[:count, count:]
-        return _Part(curvature, gradient[count:] - eliminate @ gradient[:count], vector, horizon)
+        return _Part(curvature, gradient[count:] - eliminate @ gradient[:count], vector)
 
     def posterior(self) -> Posterior:
         """The numbers, and their covariance from the scatter between shots."""

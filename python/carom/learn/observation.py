@@ -40,7 +40,7 @@ class Observation:
         time: s, from 0 at the first picture, shape (n,).
         position: Of each ball, m, shape (n, 2); NaN while it was not seen.
         first_move: Time of the first picture in which the struck ball has moved, s.
-        tracks: The same as the engine reads it.
+        samples: The samples from which the even positions are taken, by ball.
     """
 
     name: str

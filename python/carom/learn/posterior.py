@@ -79,12 +79,12 @@ class Posterior:
             gradients: The gradient gᵢ of each shot, shape (n, p), in steps.
         """
         shots, size = gradients.shape
-        whole = curvatures.sum(axis=0)
-        ridge = np.eye(size) * 1e-9 * np.trace(whole)
-        moves = np.linalg.solve(whole - curvatures + ridge, gradients[:, :, None])[:, :, 0]
+        total = curvatures.sum(axis=0)
+        ridge = np.eye(size) * 1e-9 * np.trace(total)
+        moves = np.linalg.solve(total - curvatures + ridge, gradients[:, :, None])[:, :, 0]
         scatter = moves.T @ moves * ((shots - 1) / shots)
         # A direction along which no shot moves the numbers has no information either.
-        scatter += np.linalg.inv(whole + ridge)
+        scatter += np.linalg.inv(total + ridge)
         spread = np.linalg.inv(np.linalg.inv(scatter) + np.eye(size) / PRIOR_STEPS**2)
         covariance: Any = spread * np.outer(model.steps, model.steps)
         return cls(model, mean, covariance, shots)

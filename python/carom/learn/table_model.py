@@ -92,7 +92,7 @@ PARAMETERS: Mapping[str, Parameter] = MappingProxyType({row[0]: Parameter(*row) 
 #: The cushion models that have each parameter of theirs.
 _ONLY = MappingProxyType({"cushion.frequency_ratio": ("stronge",)})
 #: A strike that a real player could not make is one of the search's, not an error.
-_POLICIES = MappingProxyType({"miscue": "report", "obstruction": "report"})
+POLICIES = MappingProxyType({"miscue": "report", "obstruction": "report"})
 
 
 def _bands(a: float, b: float) -> list[tuple[dict[str, float], float]]:
@@ -271,7 +271,7 @@ class TableModel:
             if self.radius is not None:
                 ball["radius"] = self.radius
             balls.append(ball)
-        strike = {"ball": observed.struck, "speed": 1.0, "azimuth": 0.0, **_POLICIES}
+        strike = {"ball": observed.struck, "speed": 1.0, "azimuth": 0.0, **POLICIES}
         return Shot(table, balls, strike, physics=physics), frame
 
 
