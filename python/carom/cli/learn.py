@@ -10,9 +10,11 @@ from typing import Annotated, Any
 import typer
 
 from carom import learn as tracks_of
-from carom.cli.output import emit, emit_answer, say
+from carom.cli.output import emit, emit_answer, read_shot, say
 from carom.cli.values import numbers
 from carom.errors import InputError
+from carom.files import write_whole
+from carom.learn import player_folder
 
 learn = typer.Typer(
     no_args_is_help=True, help="Learn a table and its players from tracks of balls."
@@ -201,8 +203,10 @@ def strikes(
         progress=sys.stderr.isatty(),
     )
     out.mkdir(parents=True, exist_ok=True)
-    for index, strike in enumerate(found, 1):
-        strike.shot.save(out / f"{index:04}.json")
+    files = [f"{index:04}.json" for index in range(1, len(found) + 1)]
+    for strike, name in zip(found, files, strict=True):
+        strike.shot.save(out / name)
+    write_whole(out / player_folder.INDEX, js.dumps(player_folder.index_of(found, files)) + "\n")
     if json:
         emit(js.dumps([strike.to_dict() for strike in found]))
     else:
@@ -215,6 +219,68 @@ def strikes(
             )
         )
     say(f"wrote {len(found)} shots to {out}")
+
+
+@learn.command()
+def player(
+    folder: Annotated[
+        Path,
+        typer.Argument(metavar="STRIKES", help="A folder that `carom learn strikes` wrote."),
+    ],
+    intention: Annotated[
+        str | None,
+        typer.Option(
+            metavar="FILE",
+            help="A shot file with the intended strike, for a drill of one repeated shot. "
+            "Default: the strikes near the played one that score.",
+        ),
+    ] = None,
+    players: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="The player of each shot: CSV with the columns shot and player, or JSON.",
+        ),
+    ] = None,
+    out: Annotated[
+        Path | None,
+        typer.Option(
+            "-o",
+            "--out",
+            metavar="FILE",
+            help="Where to write the player; with --players a folder. Default: player.json, "
+            "players.",
+        ),
+    ] = None,
+    exact: Annotated[
+        bool, typer.Option("--exact", help="STRIKES has shot files that are known exactly.")
+    ] = False,
+    draws: Annotated[int, typer.Option(min=20, help="Draws from the posterior.")] = 1000,
+    seed: Seed = 0,
+    json: Annotated[bool, typer.Option("--json", help="Print the players as JSON.")] = False,
+) -> None:
+    """Learn a player's errors, as a noise, from strikes as they were played."""
+    played = tracks_of.read_strikes(folder, exact=exact)
+    intended = None if intention is None else read_shot(intention)
+    shared: dict[str, Any] = {"draws": draws, "seed": seed, "progress": sys.stderr.isatty()}
+    if players is None:
+        found = [tracks_of.player(played, intended, **shared)]
+        target = Path("player.json") if out is None else out
+        files = [target]
+    else:
+        by_shot = tracks_of.read_players(players)
+        found = list(tracks_of.players(played, intended, by_shot, **shared).values())
+        target = Path("players") if out is None else out
+        target.mkdir(parents=True, exist_ok=True)
+        files = [target / f"{index:04}.json" for index in range(1, len(found) + 1)]
+    for one, file in zip(found, files, strict=True):
+        one.save(file)
+    if json:
+        emit(js.dumps([one.to_dict() for one in found]))
+    else:
+        emit("\n\n".join(one.summary() for one in found))
+    for one, file in zip(found, files, strict=True):
+        say(f"wrote {one.name} to {file}")
 
 
 def _row(index: int, strike: tracks_of.FilmedStrike) -> str:

@@ -27,7 +27,7 @@ else:
 *_FIRST, _LAST = [name for name, _ in _core.noise_presets()]
 NOISES = (
     f"{', '.join(_FIRST)} or {_LAST}; a multiplier may follow, as in olympiad:0.5; or a file "
-    "NAME.json with the keys of a noise."
+    "NAME.json with the keys of a noise, or a learned player."
 )
 File = Annotated[str, typer.Argument(metavar="FILE", help="A shot file; - is stdin.")]
 NoiseName = Annotated[
@@ -86,7 +86,10 @@ def named_noise(name: str) -> Noise:
         return Noise.preset(name)
     text = read_text(name)
     try:
-        return Noise.from_dict(loads(text))
+        file = loads(text)
+        # A learned player has its noise under a key.
+        learned = isinstance(file, dict) and file.get("format") == "carom-player/1"
+        return Noise.from_dict(file["noise"] if learned else file)
     except InputError as error:
         raise error.inside(shown(name), ": ") from None
 

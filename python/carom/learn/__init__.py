@@ -13,8 +13,14 @@ Parquet needs pyarrow: ``pip install 'carom[learn]'``.
 from carom.learn.contacts import Contact
 from carom.learn.filmed_strikes import FilmedStrike, strikes
 from carom.learn.findings import Finding
+from carom.learn.fit_player import player, players
 from carom.learn.fit_table import table
 from carom.learn.header import FileFrame, TracksHeader
+from carom.learn.player_chances import ChanceOfDraws, PlayerChances
+from carom.learn.player_errors import PlayedStrike
+from carom.learn.player_folder import read_players, read_strikes
+from carom.learn.player_intentions import Intentions, find_intentions
+from carom.learn.player_posterior import PlayerPosterior
 from carom.learn.posterior import LearnedTable, Posterior
 from carom.learn.quality import ShotQuality, TracksReport, check
 from carom.learn.read import read_tracks
@@ -27,13 +33,18 @@ from carom.learn.write import write_tracks
 
 __all__ = [
     "PARAMETERS",
+    "ChanceOfDraws",
     "Contact",
     "FileFrame",
     "FilmedStrike",
     "Finding",
     "Frame",
+    "Intentions",
     "LearnedTable",
     "Parameter",
+    "PlayedStrike",
+    "PlayerChances",
+    "PlayerPosterior",
     "Posterior",
     "Run",
     "Segments",
@@ -47,6 +58,11 @@ __all__ = [
     "TrueContact",
     "check",
     "cut_into_shots",
+    "find_intentions",
+    "player",
+    "players",
+    "read_players",
+    "read_strikes",
     "read_tracks",
     "segment",
     "strikes",

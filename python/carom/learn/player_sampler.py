@@ -1,0 +1,260 @@
+"""Draws from the posterior of players' errors, by Gibbs sampling in arrays.
+
+A played strike n of player p is an intended one plus an error, and is measured with an error of
+its own::
+
+    yₙ = dₙ + b + mₙ    dₙ ~ N(0, Σₚ)    mₙ ~ N(0, Rₙ)    Σₚ ~ IW(ν' + K − 1, diag Ψ)
+    Ψₖ ~ Gamma(1/2, rate 1/(2ν'))
+
+For one player this is the prior of Huang & Wand (2013, Bayesian Analysis 8), in which every σ is
+half-t with ν' degrees of freedom and scale 1, and with ν' = 2 every correlation is uniform in
+(−1, 1). Players of one population share Ψ and ν': the first is what they have in common, the second
+how much they have in common. Each strike has several intentions that are possible, and a background
+for strikes that were not measured or intended as the model says.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from carom.lazy import np
+
+if TYPE_CHECKING:
+    from numpy.random import Generator
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+    Ints = NDArray[np.int64]
+
+#: Degrees of freedom ν' that players of a population can have in common; all equally likely. One
+#: player alone has the first.
+FREEDOMS = (2, 3, 4, 6, 8, 12, 16, 24, 32, 64)
+#: Share of background strikes: the parameters of its beta distribution a priori, mean 5 %.
+BACKGROUND = (1.0, 19.0)
+#: Standard deviations of the logarithm of a scale in the moves of ``_rescale``.
+SCALE_MOVES = (0.05, 0.2, 0.8)
+#: A player's σ cannot fall below this, in units of the prior's scale: a covariance must have an
+#: inverse.
+LEAST = 1e-5
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Data:
+    """Measured strikes, in units of the prior's scale.
+
+    Attributes:
+        errors: Measured strike minus each possible intention, shape (n, j, k).
+        log_weights: Logarithms of the probabilities of the intentions a priori, shape (n, j).
+        measured: Covariance R of the measurement and of the intention, shape (n, j, k, k), with an
+            inverse.
+        player: Index of the player, shape (n,), ascending from 0 without a gap.
+        population: Index of the population of each player, shape (players,), from 0.
+        log_background: Logarithm of the background's density at each strike, shape (n,).
+    """
+
+    errors: Floats
+    log_weights: Floats
+    measured: Floats
+    player: Ints
+    population: Ints
+    log_background: Floats
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class Draws:
+    """Draws from the posterior, in units of the prior's scale.
+
+    Attributes:
+        bias: Shape (draws, players, k).
+        covariance: Shape (draws, players, k, k).
+        background: Share of background strikes, shape (draws, players).
+    """
+
+    bias: Floats
+    covariance: Floats
+    background: Floats
+
+
+class Chain:
+    """The state of a Markov chain over all players.
+
+    Args:
+        data: What was measured.
+        random: Random numbers.
+    """
+
+    def __init__(self, data: Data, random: Generator) -> None:
+        self.data = data
+        self.random = random
+        players, size = data.population.size, data.errors.shape[2]
+        self.size = size
+        self.rows = np.arange(len(data.errors))
+        self.first = np.searchsorted(data.player, np.arange(players))
+        self.precisions: Floats = np.linalg.inv(data.measured).astype(np.float64)
+        self.roots: Floats = np.linalg.cholesky(data.measured).astype(np.float64)
+        # Chains that are drawn side by side begin apart.
+        start = np.exp(random.normal(-1.0, 1.0, (players, size)))
+        self.covariance: Floats = np.einsum("pk,kl->pkl", start**2, np.eye(size))
+        self.bias: Floats = np.zeros((players, size))
+        self.background: Floats = np.full(players, BACKGROUND[0] / sum(BACKGROUND))
+        self.scale: Floats = np.ones((players, size))
+        self.freedom: Ints = np.full(data.population.max() + 1, FREEDOMS[0])
+        self.shared = np.bincount(data.population) > 1
+
+    def run(self, iterations: int) -> None:
+        """Moves on."""
+        for _ in range(iterations):
+            self.step()
+
+    def draw(self, draws: int, every: int) -> Draws:
+        """The state after every so many iterations, as draws from the posterior."""
+        kept = []
+        for _ in range(draws):
+            self.run(every)
+            kept.append((self.bias, self.covariance, self.background))
+        bias, covariance, background = (np.array(part) for part in zip(*kept, strict=True))
+        return Draws(bias, covariance, background)
+
+    def step(self) -> None:
+        """Draws every unknown once, given the others."""
+        data = self.data
+        total: Floats = self.covariance[data.player][:, None] + data.measured
+        chosen = self._intentions(np.linalg.cholesky(total).astype(np.float64))
+        self.used = chosen >= 0
+        which = self.rows, np.maximum(chosen, 0)
+        self.error, self.precision = data.errors[which], self.precisions[which]
+        self.count = self._sum(np.ones(len(chosen)))
+        self.deviation = self._deviations(total[which], self.roots[which])
+        self._rescale()
+        self._biases()
+        self._covariances()
+        self._population()
+        missed = np.bincount(data.player, minlength=len(self.count)) - self.count
+        self.background = self.random.beta(BACKGROUND[0] + missed, BACKGROUND[1] + self.count)
+
+    def _sum(self, values: Floats) -> Floats:
+        """Sums over the strikes of each player that are not of the background."""
+        weighted = values * self.used.reshape(-1, *[1] * (values.ndim - 1))
+        found: Floats = np.add.reduceat(weighted, self.first, axis=0)
+        return found
+
+    def _intentions(self, factor: Floats) -> Ints:
+        """The intention of each strike; −1 for the background."""
+        data = self.data
+        apart = data.errors - self.bias[data.player][:, None, :]
+        white = np.linalg.solve(factor, apart[..., None])[..., 0]
+        size = np.log(np.einsum("njkk->njk", factor)).sum(axis=2)
+        log = data.log_weights - 0.5 * (white * white).sum(axis=2) - size
+        log += np.log1p(-self.background[data.player])[:, None]
+        log -= 0.5 * self.size * math.log(2.0 * math.pi)
+        missed = np.log(self.background[data.player]) + data.log_background
+        log = np.concatenate((missed[:, None], log), axis=1)
+        drawn = log + self.random.gumbel(size=log.shape)
+        chosen: Ints = drawn.argmax(axis=1) - 1
+        return chosen
+
+    def _deviations(self, total: Floats, measured: Floats) -> Floats:
+        """Errors of the player less their mean (Matheron's rule: Doucet 2010)."""
+        data, shape = self.data, self.error.shape
+        root = np.linalg.cholesky(self.covariance)[data.player]
+        own = np.einsum("nkl,nl->nk", root, self.random.standard_normal(shape))
+        other = np.einsum("nkl,nl->nk", measured, self.random.standard_normal(shape))
+        rest = self.error - self.bias[data.player] - own - other
+        gain = np.linalg.solve(total, rest[:, :, None])[:, :, 0]
+        found: Floats = own + np.einsum("nkl,nl->nk", self.covariance[data.player], gain)
+        return found
+
+    def _rescale(self) -> None:
+        """Multiplies one number's errors and their σ by a factor (Liu & Sabatti 2000).
+
+        Without it, a σ that is small beside the error of the measurement hardly moves.
+        """
+        data = self.data
+        inverse = np.einsum("pkk->pk", np.linalg.inv(self.covariance))
+        freedom = (self.freedom + self.size - 1)[data.population]
+        for k in range(self.size):
+            own = self.deviation[:, k]
+            rest = self.error - self.bias[data.player] - self.deviation
+            rest[:, k] += own
+            curvature = self._sum(own * own * self.precision[:, k, k])
+            slope = self._sum(own * np.einsum("nl,nl->n", self.precision[:, k], rest))
+            factor = np.ones(len(curvature))
+            for spread in SCALE_MOVES:
+                move = self.random.normal(0.0, spread, len(factor))
+                tried = factor * np.exp(move)
+                gain = slope * (tried - factor) - 0.5 * curvature * (tried**2 - factor**2)
+                gain -= freedom * move
+                gain -= 0.5 * self.scale[:, k] * inverse[:, k] * (tried**-2 - factor**-2)
+                accepted = np.log(self.random.random(len(factor))) < gain
+                factor = np.where(accepted, tried, factor)
+            self.deviation[:, k] *= factor[data.player]
+            self.covariance[:, k, :] *= factor[:, None]
+            self.covariance[:, :, k] *= factor[:, None]
+            inverse[:, k] /= factor**2
+
+    def _biases(self) -> None:
+        """The mean errors, once given the deviations and once given the errors (Yu & Meng 2011)."""
+        data = self.data
+        unit = np.eye(self.size)
+        rest = np.einsum("nkl,nl->nk", self.precision, self.error - self.deviation)
+        self.bias = self._normal(self._sum(self.precision) + unit, self._sum(rest))
+        found: Floats = self.deviation + self.bias[data.player]
+        inverse = np.linalg.inv(self.covariance)
+        total = np.einsum("pkl,pl->pk", inverse, self._sum(found))
+        self.bias = self._normal(inverse * self.count[:, None, None] + unit, total)
+        self.deviation = found - self.bias[data.player]
+
+    def _normal(self, precision: Floats, linear: Floats) -> Floats:
+        """Normal vectors with a precision matrix and its product with their mean."""
+        factor = np.linalg.cholesky(precision)
+        white = np.linalg.solve(factor, linear[:, :, None])
+        white += self.random.standard_normal(white.shape)
+        found: Floats = np.linalg.solve(factor.transpose(0, 2, 1), white)[:, :, 0]
+        return found
+
+    def _covariances(self) -> None:
+        """Σ of each player: an inverse Wishart distribution, by Bartlett's decomposition."""
+        players, size = self.scale.shape
+        scatter = self._sum(self.deviation[:, :, None] * self.deviation[:, None, :])
+        index = np.arange(size)
+        scatter[:, index, index] += self.scale + LEAST**2
+        freedom = (self.freedom + size - 1)[self.data.population] + self.count
+        lower = np.tril(self.random.standard_normal((players, size, size)), -1)
+        lower[:, index, index] = np.sqrt(self.random.chisquare(freedom[:, None] - index))
+        factor = np.linalg.cholesky(scatter)
+        root = np.linalg.solve(lower, factor.transpose(0, 2, 1))
+        self.covariance = root.transpose(0, 2, 1) @ root
+
+    def _population(self) -> None:
+        """Ψ and ν' of each population."""
+        population, size = self.data.population, self.size
+        inverse = np.einsum("pkk->pk", np.linalg.inv(self.covariance))
+        players = np.bincount(population)
+        precision = np.zeros((len(players), size))
+        np.add.at(precision, population, inverse)
+        freedom = self.freedom + size - 1
+        shape = 0.5 + 0.5 * players * freedom
+        rate = 0.5 / self.freedom[:, None] + 0.5 * precision
+        scale = self.random.gamma(shape[:, None], 1.0 / rate)
+        self.scale = scale[population]
+        if not self.shared.any():
+            return
+        size_of = np.zeros(len(players))
+        np.add.at(size_of, population, np.linalg.slogdet(self.covariance)[1])
+        log = np.array([_log_freedom(v, size, players, scale, size_of) for v in FREEDOMS])
+        drawn = (log + self.random.gumbel(size=log.shape)).argmax(axis=0)
+        self.freedom = np.where(self.shared, np.array(FREEDOMS)[drawn], FREEDOMS[0])
+
+
+def _log_freedom(
+    common: int, size: int, players: Ints, scale: Floats, log_determinants: Floats
+) -> Floats:
+    """Logarithm of the density of Σ and Ψ by ν', but for what does not depend on it."""
+    freedom = common + size - 1
+    multigamma = sum(math.lgamma(0.5 * (freedom - j)) for j in range(size))
+    one = 0.5 * freedom * (np.log(scale).sum(axis=1) - size * math.log(2.0)) - multigamma
+    log = players * one - 0.5 * freedom * log_determinants
+    prior: Floats = log - (0.5 * math.log(common) * size + 0.5 * scale.sum(axis=1) / common)
+    return prior
