@@ -32,14 +32,16 @@ LEAST = np.array((0.15, 0.067, 0.15, 0.133, 0.133))
 #: Strikes of each player, error of the measurement in σ of the player, and whether the players are
 #: learned together.
 CASES = (
+    (50, 0.1, False),
+    (50, 1.0, False),
     (10, 0.1, False),
     (10, 1.0, False),
     (10, 1.0, True),
-    (50, 0.1, False),
-    (50, 1.0, False),
     (200, 0.1, False),
     (200, 1.0, False),
 )
+#: Draws from the posterior of each player.
+DRAWS = 600
 #: Players that are learned in one call: more do not fit in the caches.
 TOGETHER = 50
 
@@ -67,7 +69,9 @@ def coverage(shots: int, error: float, pooled: bool, players: int, seed: int) ->
     size = players if pooled else TOGETHER
     for first in range(0, players, size):
         sigma, played, by_shot = drills(random, min(size, players - first), shots, error)
-        found = learn.players(played, played[0].shot, by_shot, pooled=pooled, seed=seed)
+        found = learn.players(
+            played, played[0].shot, by_shot, pooled=pooled, draws=DRAWS, seed=seed
+        )
         truth.append(sigma)
         ends = np.array([[found[p].interval(name) for name in NUMBERS] for p in sorted(found)])
         low.append(ends[..., 0])

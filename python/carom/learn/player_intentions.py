@@ -256,7 +256,7 @@ def _family(
         near = np.abs(middle - design @ line) < reach * NEAR
         if near.sum() < 10:
             return None, near
-        line = np.linalg.lstsq(design[near], middle[near], rcond=None)[0]
+        line = np.linalg.lstsq(design[near], middle[near], rcond=None)[0].astype(np.float64)
     rest = middle[near] - design[near] @ line
     scatter = float(np.sqrt((rest @ rest) / (near.sum() - 5)))
     return _Family(float(line[0]), line[1:], scatter, float(width[near].mean())), near
