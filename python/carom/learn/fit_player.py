@@ -32,7 +32,7 @@ AGREED = 1.1
 #: If they do not agree, the draws are spaced twice as far, this often at most.
 DOUBLINGS = 3
 #: Draws behind the answer under another choice about the intentions.
-CHOICE_DRAWS = 400
+CHOICE_DRAWS = 200
 #: Density of the background of strikes with a known intention: uniform in the speed over a factor
 #: e³, all azimuths, 50° of elevation, and a square of 40 mm for the tip.
 BACKGROUND_BOX = (3.0, 2.0 * math.pi, math.radians(50.0), 0.04, 0.04)
@@ -208,15 +208,17 @@ class _Fit:
             log_background=np.tile(background, CHAINS),
         )
 
-    def posteriors(self, draws: int, seed: int, progress: bool) -> dict[str, PlayerPosterior]:
-        """The players, by draws of chains that agree."""
+    def posteriors(
+        self, draws: int, seed: int, progress: bool = False, doublings: int = DOUBLINGS
+    ) -> dict[str, PlayerPosterior]:
+        """The players, by draws of chains that agree, or that were spaced out as often as asked."""
         random = np.random.default_rng((whole("seed", seed), 0x91A7))
         data, players = self.data(), len(self.names)
         count = -(-draws // CHAINS)
         chain = sampler.Chain(data, random)
-        with progress_bar(DOUBLINGS + 1, show=progress, what="draws") as done:
+        with progress_bar(doublings + 1, show=progress, what="draws") as done:
             chain.run(BURN)
-            for doubling in range(DOUBLINGS + 1):
+            for doubling in range(doublings + 1):
                 found = chain.draw(count, EVERY << doubling)
                 done(1)
                 sigma = np.sqrt(np.einsum("dpkk->dpk", found.covariance))
@@ -266,30 +268,22 @@ class _Fit:
 
 
 def _choices(
-    fit: _Fit, draws: int, seed: int, main: Mapping[str, PlayerPosterior]
+    fit: _Fit, draws: int, seed: int, main: dict[str, PlayerPosterior]
 ) -> dict[str, tuple[Choice, ...]]:
     """The answers under other choices about the intentions, by player."""
-    ways = {
-        "all intentions": main,
-        "the nearest intention only": fit.with_intentions(
-            [
-                meant.nearest(strike.vector)
-                for strike, meant in zip(fit.played, fit.meant, strict=True)
-            ]
-        ).posteriors(draws, seed, False),
-        "aims anywhere in the window": fit.with_intentions(
-            [meant.anywhere() for meant in fit.meant]
-        ).posteriors(draws, seed, False),
-        "intentions weighted by their windows": fit.with_intentions(
-            [meant.by_window() for meant in fit.meant]
-        ).posteriors(draws, seed, False),
-        "a background 10 times as dense": fit.with_intentions(
-            [meant.with_background(10.0) for meant in fit.meant]
-        ).posteriors(draws, seed, False),
-        "a background a tenth as dense": fit.with_intentions(
-            [meant.with_background(0.1) for meant in fit.meant]
-        ).posteriors(draws, seed, False),
+    others = {
+        "the nearest intention only": [
+            meant.nearest(strike.vector)
+            for strike, meant in zip(fit.played, fit.meant, strict=True)
+        ],
+        "aims anywhere in the window": [meant.anywhere() for meant in fit.meant],
+        "intentions weighted by their windows": [meant.by_window() for meant in fit.meant],
+        "a background 10 times as dense": [meant.with_background(10.0) for meant in fit.meant],
+        "a background a tenth as dense": [meant.with_background(0.1) for meant in fit.meant],
     }
+    ways = {"all intentions": main}
+    for way, meant in others.items():
+        ways[way] = fit.with_intentions(meant).posteriors(draws, seed, doublings=1)
     return {
         name: tuple(Choice(way, _quantiles(found[name].sigma)) for way, found in ways.items())
         for name in fit.names
