@@ -141,7 +141,7 @@ def near_intention(
     at = StrikeProblem(observed, found.shot, Frame()).residuals(observed.end)
 
     def pulled(vectors: Floats) -> Floats:
-        # The last residual is the search's preference for a flat cue, which is no measurement.
+        # The last residual is the preference of the search for a flat cue. It is not a measurement.
         pull = math.sqrt(variance) * (vectors - target) / scale
         return np.concatenate((at(vectors)[:, :-1], pull), axis=1)
 

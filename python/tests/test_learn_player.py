@@ -28,7 +28,7 @@ DRILL = carom.Shot(
 def strikes(
     count: int, error: float, seed: int, name: str = "", share: float = 1.0
 ) -> list[learn.PlayedStrike]:
-    """A drill of a player with a share of SIGMA, measured with an error of so many σ."""
+    """A drill of a player with a share of SIGMA; the error of measurement is in σ."""
     random = np.random.default_rng(seed)
     sigma = share * SIGMA
     centre, spread = vector_of(DRILL), error * sigma

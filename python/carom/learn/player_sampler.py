@@ -112,7 +112,7 @@ class Chain:
             self.step()
 
     def draw(self, draws: int, every: int) -> Draws:
-        """The state after every so many iterations, as draws from the posterior."""
+        """The state after every ``every`` iterations, as draws from the posterior."""
         kept = []
         for _ in range(draws):
             self.run(every)
