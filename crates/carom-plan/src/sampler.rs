@@ -109,7 +109,7 @@ impl Sampler {
         }
         let variant = self.variant.get_or_insert_with(|| prepared.shot().clone());
         errors.write_shot(prepared.shot(), index, variant);
-        self.simulator.simulate_shot(prepared, variant, executed, &mut NullRecorder)
+        self.simulator.simulate_shot(prepared, variant, executed, &mut NullRecorder).map(drop)
     }
 
     /// Rules on the last simulation, which was one of `prepared`, as if `call` had been announced.

@@ -13,7 +13,8 @@ use std::sync::Arc;
 use carom::error::InputError;
 use carom::format::Node;
 use carom::noise::Perception;
-use carom::{Error, ErrorKind, Noise};
+use carom::trace::TraceRecorder;
+use carom::{BallState, Error, ErrorKind, Noise, Summary};
 use carom_mind::{Answer, Decision, Situation};
 use carom_rules::{
     Choice, ErrorDraw, Frame, FrameSimulator, Play, Request, Seat, execute, through_degrees,
@@ -428,9 +429,11 @@ impl ArenaFrame {
         let played = Play { strike: through_degrees(&strike), ..*play };
         self.seats[seat].shots += 1;
         self.reseed();
-        let result = simulator.simulator_mut().record(&executed).and_then(|trace| {
-            let (ruling, ..) = self.frame.play_displaced(simulator, &played, &executed)?;
-            Ok((trace.hash(), ruling))
+        let mut recorder = TraceRecorder::new(&executed);
+        let result = self.frame.play_displaced(simulator, &played, &executed, &mut recorder);
+        let result = result.map(|(ruling, Summary { duration, .. })| {
+            let last: Vec<BallState> = simulator.simulator_mut().states(duration).collect();
+            (recorder.finish(&last, duration).hash(), ruling)
         });
         match result {
             Ok((trace, ruling)) => {

@@ -125,7 +125,7 @@ impl LuckMeter {
                 simulator.simulate(&prepared, &strike)
             } else {
                 let clinging = shot.with_cling(cling);
-                simulator.simulate_shot(&prepared, &clinging, &strike, &mut NullRecorder)
+                simulator.simulate_shot(&prepared, &clinging, &strike, &mut NullRecorder).map(drop)
             };
             match simulated {
                 Ok(()) => {

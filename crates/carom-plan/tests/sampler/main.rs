@@ -2,7 +2,7 @@
 
 mod support;
 
-use carom::event::{Event, Recorder};
+use carom::event::{Event, NullRecorder, Recorder};
 use carom::noise::{Errors, Perception};
 use carom::{Noise, Shot};
 use carom_plan::{Prepared, Sampler};
@@ -24,7 +24,8 @@ fn places(frame: &Frame) -> Vec<Option<[u64; 2]>> {
 /// The frame after a play of `shot`, a variant of the shot that `before` asks for.
 fn played(before: &Frame, play: &Play, shot: &Shot) -> Option<(Frame, Ruling)> {
     let mut frame = before.clone();
-    let result = frame.play_displaced(&mut FrameSimulator::new(), play, shot);
+    let simulator = &mut FrameSimulator::new();
+    let result = frame.play_displaced(simulator, play, shot, &mut NullRecorder);
     result.ok().map(|(ruling, ..)| (frame, ruling))
 }
 

@@ -1,10 +1,10 @@
 //! Playing a shot: the play is checked, simulated and ruled on.
 
-use carom::event::NullRecorder;
+use carom::event::Recorder;
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{Policy, StrikePolicy};
-use carom::{BallState, Error, ErrorKind, Noise, Shot, Trace};
+use carom::{Error, ErrorKind, Noise, Shot, Summary, Trace};
 
 use super::{Frame, FrameSimulator, Prepared};
 use crate::execution::{ErrorSeeds, execute};
@@ -209,24 +209,25 @@ impl Frame {
 
     /// As [`Self::play_in`], with a strike that is played to the last bit, in `shot`: what
     /// [`Self::shot`] returned for the same place of the cue ball, or a variant of it in which the
-    /// balls are displaced a little (errors of perception) or other contacts cling. Also returns
-    /// the final states (file coordinates, in the order of `shot`), before any ball was spotted.
+    /// balls are displaced a little (errors of perception) or other contacts cling. `recorder` gets
+    /// every event. The outcome and the final states are those of `simulator`.
     ///
     /// # Errors
     /// As [`Self::play`].
-    pub fn play_displaced(
+    pub fn play_displaced<R: Recorder>(
         &mut self,
         simulator: &mut FrameSimulator,
         play: &Play,
         shot: &Shot,
-    ) -> Result<(Ruling, Outcome, Vec<BallState>), Error> {
+        recorder: &mut R,
+    ) -> Result<(Ruling, Summary), Error> {
         self.check_call(self.asked_turn()?, play.call)?;
         let prepared = Prepared::with_shot(self, play.cue_ball, shot)?;
-        simulator.simulate_shot(&prepared, shot, &play.strike, &mut NullRecorder)?;
+        let summary = simulator.simulate_shot(&prepared, shot, &play.strike, recorder)?;
         let mut successor = self.clone();
         let ruling = simulator.rule(&prepared, play.call, &mut successor)?;
         *self = successor;
-        Ok((ruling, simulator.outcome().clone(), simulator.last().to_vec()))
+        Ok((ruling, summary))
     }
 
     /// Rules on a shot that was simulated elsewhere: `trace` is the trace of the shot that

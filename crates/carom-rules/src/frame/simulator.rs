@@ -3,7 +3,7 @@
 use carom::event::{NullRecorder, Recorder};
 use carom::outcome::{Outcome, OutcomeMemory};
 use carom::resolve::cue_ball::Strike;
-use carom::{BallState, Error, MotionState, Shot, Simulator};
+use carom::{BallState, Error, MotionState, Shot, Simulator, Summary};
 
 use super::{Frame, Prepared};
 use crate::layout::BallList;
@@ -70,7 +70,7 @@ impl FrameSimulator {
         strike: &Strike,
         recorder: &mut R,
     ) -> Result<(), Error> {
-        self.simulate_shot(prepared, prepared.shot(), strike, recorder)
+        self.simulate_shot(prepared, prepared.shot(), strike, recorder).map(drop)
     }
 
     /// As [`Self::simulate_recorded`], with a variant of the prepared `shot` in which the balls are
@@ -84,7 +84,7 @@ impl FrameSimulator {
         shot: &Shot,
         strike: &Strike,
         recorder: &mut R,
-    ) -> Result<(), Error> {
+    ) -> Result<Summary, Error> {
         self.balls.clear();
         self.last.clear();
         shot.check_strike(strike)?;
@@ -97,7 +97,7 @@ impl FrameSimulator {
         self.outcome.finish(shot, &self.last);
         renumber(self.outcome.outcome_mut(), prepared.balls());
         self.balls.extend(prepared.balls().iter().copied());
-        Ok(())
+        Ok(summary)
     }
 
     /// Rules on the last simulation, which was one of `prepared`, as if `call` had been announced.
