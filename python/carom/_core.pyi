@@ -100,9 +100,18 @@ _Strike = tuple[float, float, float | None, float, float]
 # Called with the number of the stage, the items done in it, and the number of its items.
 _Report = Callable[[int, int, int], object]
 
-# An external program: its name, the executable of Python, the file of this module, the log, files
-# that it must not read, and whether everything must be enforced.
-_Program = tuple[str, str, str, Callable[[str], None], Sequence[PathLike[str]], bool]
+# An external program: its name, the folder to which its files are relative, the executable of
+# Python, the file of this module, the log, files that it must not read, and whether everything must
+# be enforced.
+_Program = tuple[
+    str,
+    PathLike[str],
+    str,
+    str,
+    Callable[[str], object] | None,
+    Sequence[PathLike[str]],
+    bool,
+]
 # A player of a match: the name of a built-in one; name, class, and the function that begins a
 # frame; or a program.
 _Entrant = str | tuple[str, str, Callable[[int, int], Callable[..., Any]]] | _Program
@@ -466,7 +475,7 @@ class OpenMatch:
     def add(self, number: int, lines: Sequence[str]) -> None: ...
     def close(self, level: float) -> dict[str, Any]: ...
 
-def player_entry(name: str) -> dict[str, Any]: ...
+def player_entry(name: str, folder: PathLike[str]) -> dict[str, Any]: ...
 def test_state(
     counts: Sequence[int], p0: float, p1: float, alpha: float, beta: float, unit: str
 ) -> dict[str, Any]: ...
@@ -507,6 +516,7 @@ class VectorEnv:
         int,
         str | None,
     ]: ...
+    def close(self) -> None: ...
     def state(self, attachment: bytes) -> bytes: ...
     def set_state(self, state: bytes) -> bytes: ...
     def copy(self) -> VectorEnv: ...

@@ -108,7 +108,6 @@ PROGRAM = """
 import json, os, signal, sys, time
 from pathlib import Path
 from carom.arena import Tournament
-from carom.arena.named_players import named_player
 
 file = json.loads(sys.argv[1])
 
@@ -318,7 +317,7 @@ def test_names_of_files_are_relative_to_the_file_of_the_tournament(
     (league / "mine.py").write_text(
         "class Mine:\n    def choose(self, situation):\n        return 'concede'\n"
     )
-    written = event(pairs=1) | {
+    written = event(pairs=1, frame_simulations=1000) | {
         "players": [
             {
                 "name": "program",
@@ -335,13 +334,14 @@ def test_names_of_files_are_relative_to_the_file_of_the_tournament(
     header, *frames, _ = map(json.loads, path.read_text().splitlines())
     assert [frame["end"]["reason"] for frame in frames] == ["conceded"] * 2
     (program,) = [each for each in header["players"] if "program" in each["settings"]]
-    assert program["settings"]["program"][1:] == [str(league / "program.py"), "--level", "1.5"]
+    assert program["settings"]["program"][1:] == ["program.py", "--level", "1.5"]
+    assert list(program["settings"]["sha256"])[1:] == ["program.py"]
     assert program["settings"]["settings"] == {"menu": 3}
-    # In the folder of the file the words stay as they are written.
+    # The tournament continues in another folder, and there it has the same records.
     monkeypatch.chdir(league)
-    assert named_player("one", "exec:python3 program.py", Path()) == "exec:python3 program.py"
-    with pytest.raises(InputError, match="continue in the folder where the tournament began"):
-        Tournament.load("league.json").run(tmp_path / "out")
+    assert Tournament.load("league.json").run(tmp_path / "out").pairs_now == 0
+    Tournament.load("league.json").run(tmp_path / "again")
+    assert records(tmp_path / "again") == records(tmp_path / "out")
 
 
 def test_processes_give_the_records_of_one_thread(tmp_path: Path) -> None:
@@ -432,8 +432,8 @@ def test_a_changed_player_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyP
     Tournament(small).run(tmp_path)
     entry = carom._core.player_entry
 
-    def changed(name: str) -> dict[str, Any]:
-        found = entry(name)
+    def changed(name: str, folder: Path) -> dict[str, Any]:
+        found = entry(name, folder)
         found["settings"]["decisions"] = "0" * 16
         return found
 

@@ -72,14 +72,16 @@ mod sight;
 mod thinking_time;
 mod tournament;
 
-pub use arena_frame::{ArenaFrame, Ask, LastShot, NextStep, REFUSALS};
+pub use arena_frame::{
+    ArenaFrame, Ask, LastShot, Loss, NextStep, REFUSALS, SeatAccount, check_answer,
+};
 pub use built_in::{BuiltInPlayer, MOST_PLANNED};
 pub use check::{CheckSettings, CheckVerdict, check, check_situations};
 pub use clock::{Clock, ClockPeriod, ClockUnit, Cost, expected_shots};
 pub use error::ArenaError;
 pub use ledger::RECORD;
 pub use luck::{LuckSettings, LuckValue, ShotLuck};
-pub use match_player::{MatchPlayer, Response};
+pub use match_player::{MatchPlayer, Response, ask_player};
 pub use moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
 pub use open_match::{MatchReport, OpenMatch};
 pub use pair::{MatchPlan, PlayedPair, play_frame, play_pair};

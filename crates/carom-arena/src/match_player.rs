@@ -3,10 +3,12 @@
 use carom::Error;
 use carom::error::InputError;
 use carom::format::Node;
+use carom::runner::Runner;
 use carom_mind::{Budget, Decision, Player, Spent};
 
 use crate::arena_frame::{ArenaFrame, Ask};
 use crate::moves::EndReason;
+use crate::thinking_time::ThinkingTime;
 
 /// What a player of a match does when it is asked.
 #[derive(Clone, Debug, PartialEq)]
@@ -48,4 +50,29 @@ impl<P: Player + ?Sized> MatchPlayer for Box<P> {
             Err(error) => Response::Failed(EndReason::Crash, error.to_string()),
         }
     }
+}
+
+/// Asks a player, on the calling thread. Returns its response, and the time that it took, s; 0 if its
+/// clock counts no seconds.
+///
+/// # Errors
+/// None: one thread is always there.
+pub fn ask_player<C: MatchPlayer + ?Sized>(
+    player: &mut C,
+    ask: &Ask<'_>,
+    is_stopped: &(dyn Fn() -> bool + Sync),
+) -> Result<(Response, f64), Error> {
+    // Without a clock of seconds no time is read: the target may have none.
+    let time = ask.seconds().map(ThinkingTime::begin);
+    let is_over = |_: Spent| is_stopped() || time.as_ref().is_some_and(ThinkingTime::is_over);
+    let budget = Budget {
+        simulations: ask.simulations(),
+        rounds: None,
+        is_over: &is_over,
+        runner: Runner::new(Some(1))?,
+    };
+    let response = player.respond(ask, &budget);
+    let elapsed = |time| player.seconds().unwrap_or_else(|| ThinkingTime::elapsed(time));
+    let seconds = time.as_ref().map_or(0.0, elapsed);
+    Ok((response, seconds))
 }

@@ -3,21 +3,19 @@
 use std::sync::Arc;
 
 use carom::format::{Node, Reader};
-use carom::runner::Runner;
 use carom::{Error, ErrorKind};
-use carom_mind::{Budget, Spent};
+use carom_mind::Spent;
 use carom_plan::Progress;
 use carom_rules::FrameSimulator;
 
 use crate::arena_frame::{ArenaFrame, NextStep};
 use crate::clock::Cost;
-use crate::match_player::{MatchPlayer, Response};
+use crate::match_player::{MatchPlayer, Response, ask_player};
 use crate::record::{at_line, frame_line, frame_number, frame_points, read_agreement, read_line};
 use crate::score::FramePoints;
 use crate::secret::Secret;
 use crate::sequential::SequentialTest;
 use crate::settings::{Match, PlayerIndex};
-use crate::thinking_time::ThinkingTime;
 
 /// A match to play.
 #[derive(Clone, Debug)]
@@ -135,20 +133,8 @@ pub fn play_frame<C: MatchPlayer>(
     progress: &Progress,
 ) -> Result<(), Error> {
     while let NextStep::Ask(ask) = frame.next() {
-        // Without a clock of seconds no time is read: the target may have none.
-        let time = ask.seconds().map(ThinkingTime::begin);
-        let is_over =
-            |_: Spent| progress.is_stopped() || time.as_ref().is_some_and(ThinkingTime::is_over);
-        let budget = Budget {
-            simulations: ask.simulations(),
-            rounds: None,
-            is_over: &is_over,
-            runner: Runner::new(Some(1))?,
-        };
-        let response = players[ask.player].respond(&ask, &budget);
-        let player = &players[ask.player];
-        let elapsed = |time| player.seconds().unwrap_or_else(|| ThinkingTime::elapsed(time));
-        let seconds = time.as_ref().map_or(0.0, elapsed);
+        let player = &mut players[ask.player];
+        let (response, seconds) = ask_player(player, &ask, &|| progress.is_stopped())?;
         let cost = |spent| Cost { spent, seconds };
         if progress.is_stopped() {
             break;

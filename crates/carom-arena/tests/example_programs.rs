@@ -6,6 +6,7 @@ mod common;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 use std::process::Command;
+use std::sync::Arc;
 
 use carom::{Error, ErrorKind};
 use carom_arena::{
@@ -35,7 +36,8 @@ fn program(
         program: env!("CARGO_BIN_EXE_carom-supervisor").into(),
         arguments: vec![],
     };
-    let channel = ProgramChannel::start(&order, &supervisor, &|| false).map_err(started)?;
+    let channel =
+        ProgramChannel::start(&order, &supervisor, Arc::new(|| false)).map_err(started)?;
     ProtocolPlayer::new(channel, settings)
 }
 

@@ -6,7 +6,7 @@ mod common;
 mod sessions;
 
 use std::collections::BTreeMap;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex};
 use std::time::{Duration, Instant};
@@ -156,26 +156,23 @@ fn faults(case: &Case, secret: Secret) -> Vec<String> {
     let greeting = "echo $HOME >&2; read -r l; echo \"{\\\"type\\\":\\\"hello\\\"}\"
         read -r l; echo \"{\\\"type\\\":\\\"ready\\\"}\"; read -r l";
     let name = format!("exec{}:sh -c '{greeting}\n{quoted}'", case.settings);
-    let command = ProgramCommand::read(&name).unwrap();
+    let command = Arc::new(ProgramCommand::read(&name, Path::new("")).unwrap());
     let log = Arc::new(Mutex::new(String::new()));
     let kept = Arc::clone(&log);
-    let site = ProgramSite {
+    let site = Arc::new(ProgramSite {
         supervisor: supervisor(),
         confinement: Confinement::Plain,
         hidden: Vec::new(),
         log: Some(Box::new(move |block| *kept.lock().unwrap() += &block)),
-    };
+    });
     let clock = [Clock::seconds(case.clock).per_frame(), Clock::seconds(600.0).per_frame()];
     let settings = MatchSettings { clock, ..short(Game::NineBall) };
     let players = [PlayerEntry::new("hostile"), PlayerEntry::new("random")];
     let of = Arc::new(Match::new(settings, players).unwrap());
     let mut simulator = FrameSimulator::new();
     let mut frame = ArenaFrame::begin(of, 0, secret.pair_seeds(0), &mut simulator).unwrap();
-    let never = || false;
-    let mut seated = [
-        Seated::Program(Box::new(ProgramPlayer::new(&command, &site, &never))),
-        Seated::Random(Box::new(RandomPlayer)),
-    ];
+    let program = ProgramPlayer::new(command, site, Arc::new(|| false));
+    let mut seated = [Seated::Program(Box::new(program)), Seated::Random(Box::new(RandomPlayer))];
     play_frame(&mut frame, &mut seated, &mut simulator, &Progress::default()).unwrap();
     drop(seated);
     let mut found = Vec::new();
@@ -297,14 +294,16 @@ for line in sys.stdin:
         if message["in_hand"]: answer["cue_ball"] = [0.6, 0.5]
     print(json.dumps(answer), flush=True)
 "#;
-    let command =
-        ProgramCommand::read(&format!("exec:python3 -c {}", shlex::try_quote(program).unwrap()));
-    let command = command.unwrap();
-    let never = || false;
+    let name = format!("exec:python3 -c {}", shlex::try_quote(program).unwrap());
+    let command = Arc::new(ProgramCommand::read(&name, Path::new("")).unwrap());
     let mut simulator = FrameSimulator::new();
     let mut median_of = |confinement| {
-        let site =
-            ProgramSite { supervisor: supervisor(), confinement, hidden: Vec::new(), log: None };
+        let site = Arc::new(ProgramSite {
+            supervisor: supervisor(),
+            confinement,
+            hidden: Vec::new(),
+            log: None,
+        });
         let settings = MatchSettings { clock: [Clock::default(); 2], ..short(Game::ThreeCushion) };
         let players = [PlayerEntry::new("program"), PlayerEntry::new("same")];
         let of = Arc::new(Match::new(settings, players).unwrap());
@@ -313,8 +312,11 @@ for line in sys.stdin:
         for pair in 0..24 {
             let seeds = common::SECRET.pair_seeds(pair);
             let mut frame = ArenaFrame::begin(of.clone(), 0, seeds, &mut simulator).unwrap();
-            let program =
-                || Timed { player: ProgramPlayer::new(&command, &site, &never), times: Vec::new() };
+            let program = || {
+                let (command, site) = (Arc::clone(&command), Arc::clone(&site));
+                let player = ProgramPlayer::new(command, site, Arc::new(|| false));
+                Timed { player, times: Vec::new() }
+            };
             let mut seated = [program(), program()];
             play_frame(&mut frame, &mut seated, &mut simulator, &Progress::default()).unwrap();
             // The first response has the start of the program.

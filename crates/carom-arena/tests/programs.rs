@@ -6,6 +6,7 @@ mod sessions;
 use std::io::{BufRead, BufReader};
 use std::path::PathBuf;
 use std::process::{Command, Stdio};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use carom_arena::{
@@ -74,8 +75,9 @@ fn what_a_program_wrote_before_its_end_is_still_read() {
 #[test]
 fn a_program_that_cannot_be_started_is_a_crash() {
     let order = ProgramOrder::new(vec!["/no/such".into()], Confinement::Plain);
-    let start =
-        |supervisor: SupervisorCommand| ProgramChannel::start(&order, &supervisor, &|| false).err();
+    let start = |supervisor: SupervisorCommand| {
+        ProgramChannel::start(&order, &supervisor, Arc::new(|| false)).err()
+    };
     let Some(ChannelFault::Crash(why)) = start(supervisor()) else { panic!("it started") };
     assert!(why.starts_with("the program could not be started: "), "{why}");
     let missing = SupervisorCommand { program: "/no/such".into(), arguments: vec![] };
@@ -364,7 +366,7 @@ except OSError as error: print(error.errno)",
 #[test]
 fn the_environment_is_small_and_the_folder_is_its_own() {
     let order = ProgramOrder::new(vec!["env".into()], Confinement::Plain);
-    let mut channel = ProgramChannel::start(&order, &supervisor(), &|| false).unwrap();
+    let mut channel = ProgramChannel::start(&order, &supervisor(), Arc::new(|| false)).unwrap();
     let mut keys: Vec<String> = (0..4).map(|_| channel.receive(soon()).unwrap()).collect();
     keys.iter_mut().for_each(|line| line.truncate(line.find('=').unwrap()));
     keys.sort();
@@ -382,7 +384,7 @@ fn a_stopped_match_does_not_wait_for_a_program() {
     order.grace = Duration::from_millis(20);
     let begin = Instant::now();
     let stop = move || begin.elapsed() > Duration::from_millis(300);
-    let mut channel = ProgramChannel::start(&order, &supervisor(), &stop).unwrap();
+    let mut channel = ProgramChannel::start(&order, &supervisor(), Arc::new(stop)).unwrap();
     channel.receive(soon()).unwrap();
     assert_eq!(channel.receive(None), Err(ChannelFault::Stopped));
     drop(channel);

@@ -3,7 +3,7 @@
 
 use std::collections::BTreeMap;
 use std::path::PathBuf;
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Arc, Mutex, PoisonError};
 
 use carom::format::{Node, Reader};
 use carom::runner::Runner;
@@ -22,7 +22,7 @@ use crate::exceptions::CaromError;
 use crate::match_player::{Entrant, EntrantArguments, Raised};
 use crate::node::{from_python, to_python};
 use crate::options::count;
-use crate::program::program_entry;
+use crate::program::{StopCheck, program_entry};
 use crate::progress::{self, Watch};
 
 /// The score of player 0; a dict in Python. Intervals: (low, high).
@@ -201,7 +201,7 @@ pub(crate) fn play_match(
     let setup = Setup::read(players, agreed, secret)?;
     let runner = Runner::new(count(threads)).map_err(raise)?;
     let played = setup.run(&report, &interrupt, threads, |progress| {
-        let is_stopped = || progress.is_stopped();
+        let is_stopped: StopCheck<'_> = Arc::new(|| progress.is_stopped());
         let make = |index: usize| setup.entrants[index].make(&is_stopped);
         carom_arena::play_match(&setup.plan, &folder, &make, &runner, progress)
     })?;
@@ -222,7 +222,7 @@ pub(crate) fn play_pair(
     let secret = Secret::parse(secret).map_err(|error| to_exception(py, &error))?;
     let setup = Setup::read(players, agreed, None)?;
     let played = setup.run(&report, &interrupt, 1, |progress| {
-        let is_stopped = || progress.is_stopped();
+        let is_stopped: StopCheck<'_> = Arc::new(|| progress.is_stopped());
         let make = |index: usize| setup.entrants[index].make(&is_stopped);
         let simulator = &mut FrameSimulator::new();
         let (plan, make) = (&setup.plan, &make);
@@ -351,10 +351,14 @@ pub(crate) fn replay_match<'py>(
     })
 }
 
-/// A built-in player, or a program, as the header of a record has it.
+/// A built-in player, or a program whose files are relative to `folder`, as the header of a record has it.
 #[pyfunction]
-pub(crate) fn player_entry<'py>(py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
-    let entry = match program_entry(name) {
+pub(crate) fn player_entry<'py>(
+    py: Python<'py>,
+    name: &str,
+    folder: PathBuf,
+) -> PyResult<Bound<'py, PyAny>> {
+    let entry = match program_entry(name, &folder) {
         Some(entry) => entry,
         None => BuiltInPlayer::read(name).map(|player| player.entry()),
     };

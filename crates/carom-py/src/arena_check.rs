@@ -1,5 +1,7 @@
 //! Checks of players: `_core.check_player`.
 
+use std::sync::Arc;
+
 use carom::error::InputError;
 use carom_arena::{CheckSettings, CheckVerdict, Clock};
 use pyo3::prelude::*;
@@ -7,6 +9,7 @@ use pyo3::prelude::*;
 use crate::error::to_exception;
 use crate::match_player::{Entrant, EntrantArguments, Raised};
 use crate::node::to_python;
+use crate::program::StopCheck;
 use crate::progress::{self, Watch};
 
 /// A verdict; a dict in Python.
@@ -48,7 +51,7 @@ pub(crate) fn check_player<'py>(
     let settings = CheckSettings { clock, is_program: entrant.is_program() };
     let watch = if entrant.is_outside() { Watch::Here } else { Watch::Beside(&|| ()) };
     let found = progress::run_with(py, &report, &watch, |progress| {
-        let is_stopped = || progress.is_stopped();
+        let is_stopped: StopCheck<'_> = Arc::new(|| progress.is_stopped());
         let make = |settings| entrant.make_checked(settings, &is_stopped);
         carom_arena::check(&make, &settings, progress, &mut |_| ())
     });

@@ -14,7 +14,7 @@ use carom_mind::{Budget, Decision, Player, Spent};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
-use crate::program::{Program, ProgramArguments};
+use crate::program::{Program, ProgramArguments, StopCheck};
 use crate::rules::{AnswerArguments, Frame};
 
 /// A player of a match: the name of a built-in one; name, class, and the function that begins a frame,
@@ -85,11 +85,11 @@ impl Entrant {
     pub(crate) fn make_checked<'s>(
         &'s self,
         settings: ProtocolSettings,
-        is_stopped: &'s (dyn Fn() -> bool + Sync),
+        is_stopped: &StopCheck<'s>,
     ) -> Result<Seated<'s>, Error> {
         match self {
             Self::Program(program) => {
-                Ok(Seated::Program(program.player(is_stopped, Some(settings))))
+                Ok(Seated::Program(program.player(Arc::clone(is_stopped), Some(settings))))
             }
             _ => self.make(is_stopped),
         }
@@ -106,17 +106,14 @@ impl Entrant {
     }
 
     /// The player for one frame. `is_stopped` says whether the match was stopped.
-    pub(crate) fn make<'s>(
-        &'s self,
-        is_stopped: &'s (dyn Fn() -> bool + Sync),
-    ) -> Result<Seated<'s>, Error> {
+    pub(crate) fn make<'s>(&'s self, is_stopped: &StopCheck<'s>) -> Result<Seated<'s>, Error> {
         Ok(match self {
             Self::BuiltIn(player) => Seated::BuiltIn(player.make()?),
             Self::Outside { begin, raised, .. } => {
                 let (begin, raised) = (Arc::clone(begin), raised.clone());
                 Seated::Outside(Outside { begin, ask: None, raised })
             }
-            Self::Program(program) => Seated::Program(program.player(is_stopped, None)),
+            Self::Program(program) => Seated::Program(program.player(Arc::clone(is_stopped), None)),
         })
     }
 }

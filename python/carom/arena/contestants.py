@@ -42,6 +42,7 @@ class Contestant:
         make: Makes a player of one's own, for every frame; None for a built-in player.
         kind: The class of a player of one's own, for the record.
         program: The name that starts an external program.
+        folder: The folder to which the files of that program are relative.
     """
 
     name: str
@@ -50,6 +51,26 @@ class Contestant:
     make: Callable[[], Any] | None = None
     kind: str = ""
     program: str | None = None
+    folder: Path = Path()
+
+    @property
+    def entry(self) -> dict[str, Any] | None:
+        """The player as the header of a record has it; None for a player of one's own."""
+        name = self.program or self.name
+        return None if self.make else _core.player_entry(name, self.folder)
+
+    def program_arguments(
+        self, log: Callable[[str], object] | None, hidden: Sequence[Path], strict: bool
+    ) -> tuple[Any, ...]:
+        """An external program in the form that Rust reads.
+
+        Args:
+            log: Gets what it writes to stderr.
+            hidden: Files that it must not read.
+            strict: Whether everything must be enforced.
+        """
+        python, library = sys.executable, _core.__file__
+        return self.program, self.folder, python, library, log, list(hidden), strict
 
 
 def contestant(argument: str, value: Any) -> Contestant:
@@ -67,7 +88,7 @@ def contestant(argument: str, value: Any) -> Contestant:
     if isinstance(value, Contestant):
         return value
     if isinstance(value, str):
-        return _program(argument, value) if is_program(value) else _built_in(argument, value)
+        return program(argument, value) if is_program(value) else _built_in(argument, value)
     if isinstance(value, type):
         _check_method(argument, value)
         return Contestant(_name(argument, value, value), make=value, kind=value.__name__)
@@ -98,9 +119,21 @@ def is_program(name: str) -> bool:
     return name.startswith(("exec:", "exec["))
 
 
-def _program(argument: str, value: str) -> Contestant:
+def program(argument: str, value: str, folder: Path = Path()) -> Contestant:
+    """An external program.
+
+    Args:
+        argument: The name of the argument, for the error message.
+        value: The program, ``exec:COMMAND``.
+        folder: The folder to which the files among its words are relative.
+
+    Raises:
+        InputError: It cannot be started.
+    """
+    folder = folder.absolute()
     try:
-        return Contestant(_core.player_entry(value)["name"], program=value)
+        name = _core.player_entry(value, folder)["name"]
+        return Contestant(name, program=value, folder=folder)
     except InputError as error:
         raise error.at(argument + error.place.removeprefix("player")) from None
 
@@ -184,15 +217,14 @@ class Asking:
     interrupted: bool = False
     lock: threading.Lock = field(default_factory=threading.Lock)
 
-    def program(self, name: str, hidden: Sequence[Path]) -> tuple[Any, ...]:
+    def program(self, of: Contestant, hidden: Sequence[Path]) -> tuple[Any, ...]:
         """An external program in the form that Rust reads.
 
         Args:
-            name: Its name as a player.
+            of: The player.
             hidden: Files that it must not read.
         """
-        files = (sys.executable, _core.__file__)
-        return name, *files, self._locked_log, list(hidden), self.strict
+        return of.program_arguments(self._locked_log, hidden, self.strict)
 
     def _locked_log(self, text: str) -> None:
         with self.lock:

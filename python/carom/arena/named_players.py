@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import re
-import shlex
 from pathlib import Path
 from typing import Any
 
-from carom.arena.contestants import is_program
+from carom.arena.contestants import is_program, program
 from carom.arena.player_files import load_file
 from carom.errors import InputError
 from carom.files import shown
@@ -27,14 +25,13 @@ def named_player(argument: str, word: str, folder: Path = Path()) -> Any:
         folder: The folder to which FILE.py, and the files among the words of COMMAND, are relative.
 
     Returns:
-        The name of a built-in player or a program, with full paths if the folder is another one
-        than the current one; or what the file has under NAME.
+        The name of a built-in player, a program as a contestant, or what the file has under NAME.
 
     Raises:
-        InputError: There is no such file, it does not run, or it has no such name.
+        InputError: There is no such file or program, it does not run, or it has no such name.
     """
     if is_program(word):
-        return _program_in(word, folder)
+        return program(argument, word, folder)
     if word.endswith(".py"):
         raise InputError(
             "missing", argument, f"{word} names no class", f"write {word}:NAME, such as {word}:Mine"
@@ -58,28 +55,6 @@ def named_player(argument: str, word: str, folder: Path = Path()) -> Any:
             "wrong-type", argument, f"{name} in {shown(path)} is a {type(found).__name__}", _CLASS
         )
     return found
-
-
-def _program_in(word: str, folder: Path) -> str:
-    """A program whose files are relative to a folder.
-
-    As for a program in the current folder, a word with a dot or a slash that names a file or a
-    folder there gets its full path. In the current folder itself the name stays as it is.
-    """
-    found = re.fullmatch(r"(exec(?:\[.*?\])?:)(.*)", word, re.DOTALL)
-    if found is None or folder.resolve() == Path.cwd():
-        return word
-    try:
-        words = shlex.split(found[2])
-    except ValueError:
-        # Where the name is read it is refused with its fault.
-        return word
-    return found[1] + shlex.join(_full_path(each, folder) for each in words)
-
-
-def _full_path(word: str, folder: Path) -> str:
-    path = folder.absolute() / word
-    return str(path) if ("." in word or "/" in word) and path.exists() else word
 
 
 _CLASS = "write a class with a method choose(self, situation)"

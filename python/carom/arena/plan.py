@@ -152,7 +152,7 @@ class MatchPlan:
 
         def entrant(player: Contestant, told: tuple[Any, Any]) -> Any:
             if player.program is not None:
-                return asking.program(player.program, self.hidden)
+                return asking.program(player, self.hidden)
             if player.make is None:
                 return player.name
             return player.name, player.kind, asking.beginning(player, *told)

@@ -134,7 +134,7 @@ def check(
     noise = noise_or_default(None)
     entrant: Any = found.name
     if found.program is not None:
-        entrant = asking.program(found.program, ())
+        entrant = asking.program(found, ())
     elif is_asked:
         entrant = (found.name, found.kind, asking.beginning(found, (noise, noise), Perception()))
     with (

@@ -9,7 +9,6 @@ from pathlib import Path
 from threading import Event, Lock
 from typing import Any
 
-from carom import _core
 from carom.arena.match import play_match
 from carom.arena.pair import OpenMatch
 from carom.arena.pair_queue import PairQueue
@@ -86,10 +85,7 @@ class Worker:
         Raises:
             InputError: With the name of the player.
         """
-        entries = {
-            name: None if player.make else _core.player_entry(player.program or player.name)
-            for name, player in self.contestants.items()
-        }
+        entries = {name: player.entry for name, player in self.contestants.items()}
         for block in blocks:
             header = block.header()
             if header is None:
@@ -100,10 +96,6 @@ class Worker:
                     continue
                 what = f"it decides otherwise than in {shown(block.record)}"
                 remedy = "give the changed player another name, or choose another folder"
-                words = [entry["settings"].get("program") for entry in (found, now)]
-                if words[0] != words[1]:
-                    what = f"{shown(block.record)} has {words[0]}, and this is {words[1]}"
-                    remedy = f"continue in the folder where the tournament began, or {remedy}"
                 raise InputError("changed", f"players.{name}", what, remedy)
 
 

@@ -5,6 +5,7 @@
 //! plays the shot, rules on it and updates clocks and result. The same answers with the same costs
 //! give the same frame to the bit.
 
+mod account;
 mod last_shot;
 mod place;
 
@@ -20,30 +21,22 @@ use carom_rules::{
     Choice, ErrorDraw, Frame, FrameSimulator, Play, Request, Seat, execute, through_degrees,
 };
 
-use crate::clock::{Clock, ClockPeriod, ClockUnit, Cost};
+use crate::clock::{Clock, ClockUnit, Cost};
 use crate::luck::{Forecast, LuckMeter, ShotLuck};
 use crate::moves::{ArenaMove, Effect, EndReason, Execution, FrameEnd};
 use crate::secret::PairSeeds;
 use crate::settings::{Disclosure, Match, MatchSettings, PlayerIndex};
 use crate::sight::perceive;
 
+pub use account::{Loss, REFUSALS, SeatAccount};
 pub use last_shot::LastShot;
-
-/// Refused answers that each seat may give in a frame; one more loses it. A program that answers
-/// with a wrong key once in a while is not ended, and one that repeats itself does not hang.
-pub const REFUSALS: u32 = 10;
 
 /// The state that each seat has in a frame.
 #[derive(Clone, Copy, Debug)]
 struct SeatState {
     /// Shots played so far.
     shots: u64,
-    /// Requests so far; one that is repeated after a refusal counts again.
-    asked: u64,
-    /// Refused answers.
-    refusals: u32,
-    /// What is left on the clock, in its unit. It only counts for clocks of a frame.
-    left: f64,
+    account: SeatAccount,
 }
 
 /// What a frame needs next.
@@ -130,11 +123,9 @@ impl ArenaFrame {
     ) -> Result<Self, Error> {
         let seeds = of.seeds(number, of_pair);
         let players = of.seats(number);
-        let seat = |seat: Seat| SeatState {
-            shots: 0,
-            asked: 0,
-            refusals: 0,
-            left: of.settings().clock[players[seat]].amount,
+        let seat = |seat: Seat| {
+            let account = SeatAccount::new(of.settings().clock[players[seat]]);
+            SeatState { shots: 0, account }
         };
         let seats = [seat(0), seat(1)];
         let mut begun = Self {
@@ -216,30 +207,24 @@ impl ArenaFrame {
             (None, Some(seat)) => seat,
             (None, None) => unreachable!("a frame that is over has an end"),
         };
-        let player = self.players[seat];
-        let clock = self.of.settings().clock[player];
+        let account = &self.seats[seat].account;
         let refused = match self.moves.last() {
             Some(ArenaMove { effect: Effect::Refused(error), .. }) => Some(error),
             _ => None,
         };
         NextStep::Ask(Ask {
-            id: self.seats[0].asked + self.seats[1].asked,
+            id: self.seats[0].account.asked() + self.seats[1].account.asked(),
             frame_number: self.number,
             seat,
-            player,
+            player: self.players[seat],
             situation: self.situation(seat),
-            budget: clock.budget(self.seats[seat].left, &self.frame, seat),
-            clock,
-            left: [0, 1].map(|seat| self.left(seat)),
+            budget: account.budget(&self.frame, seat),
+            clock: account.clock(),
+            left: self.seats.map(|seat| seat.account.left()),
             refused,
             of: &self.of,
             last: LastShot::of(&self.moves),
         })
-    }
-
-    fn left(&self, seat: Seat) -> Option<f64> {
-        let clock = self.of.settings().clock[self.players[seat]];
-        (clock.period == ClockPeriod::Frame).then_some(self.seats[seat].left)
     }
 
     /// What `seat` may know.
@@ -258,7 +243,7 @@ impl ArenaFrame {
             frame: self.seen.as_ref().unwrap_or(&self.frame),
             noise: [told(0), told(1)],
             perception,
-            seed: self.seeds.decision(seat, self.seats[seat].asked),
+            seed: self.seeds.decision(seat, self.seats[seat].account.asked()),
         }
     }
 
@@ -353,28 +338,22 @@ impl ArenaFrame {
 
     /// Counts a request and its cost. False if the time of `seat` is over; the frame then ends.
     fn charge(&mut self, seat: Seat, cost: &Cost) -> bool {
-        let clock = self.of.settings().clock[self.players[seat]];
-        let state = &mut self.seats[seat];
-        state.asked += 1;
-        state.left -= clock.charge(cost);
-        let in_time = clock.period == ClockPeriod::Decision || state.left >= 0.0;
-        if !in_time {
-            let why = "the player's time was over".to_owned();
-            let winner = Some(1 - seat);
-            self.end = Some(FrameEnd { winner, reason: EndReason::TimeOver, why });
-        }
-        in_time
+        let loss = self.seats[seat].account.charge(cost);
+        self.lose(seat, loss)
     }
 
     /// Counts a refused answer.
     fn refused(&mut self, seat: Seat, fault: InputError) -> Effect {
-        self.seats[seat].refusals += 1;
-        if self.seats[seat].refusals > REFUSALS {
-            let why = format!("the player gave {} refused answers", self.seats[seat].refusals);
-            let winner = Some(1 - seat);
-            self.end = Some(FrameEnd { winner, reason: EndReason::Refusals, why });
-        }
+        let loss = self.seats[seat].account.refuse();
+        self.lose(seat, loss);
         Effect::Refused(fault)
+    }
+
+    /// Ends the frame if there is a loss of `seat`. Whether the frame goes on.
+    fn lose(&mut self, seat: Seat, loss: Option<Loss>) -> bool {
+        let Some((reason, why)) = loss else { return true };
+        self.end = Some(FrameEnd { winner: Some(1 - seat), reason, why });
+        false
     }
 
     /// Checks the play, draws its errors and plays it.
@@ -547,6 +526,18 @@ impl ArenaFrame {
             None => EndReason::Drawn,
         };
         Some(FrameEnd { winner, reason, why: why.into() })
+    }
+}
+
+/// Checks whether `frame` allows an answer of the player who is asked.
+///
+/// # Errors
+/// [`Error::Input`] at the part of the answer that is not allowed.
+pub fn check_answer(frame: &Frame, answer: &Answer) -> Result<(), Error> {
+    match answer {
+        Answer::Play(play) => frame.shot(&fair(play)).map(drop),
+        Answer::Choice(choice) => frame.clone().choose(*choice).map(drop),
+        Answer::Concede => Ok(()),
     }
 }
 

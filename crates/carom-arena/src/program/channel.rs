@@ -6,6 +6,7 @@ use std::mem::MaybeUninit;
 use std::os::fd::{AsFd, BorrowedFd};
 use std::os::unix::net::UnixStream;
 use std::process::{Child, Command, Stdio};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
@@ -34,7 +35,7 @@ const STALL: Duration = Duration::from_secs(600);
 const SUPERVISOR_PATIENCE: Duration = Duration::from_secs(30);
 
 /// Whether the match was stopped. It is asked many times a second while a program is waited for.
-pub type StopCheck<'s> = &'s (dyn Fn() -> bool + Sync);
+pub type StopCheck<'s> = Arc<dyn Fn() -> bool + Send + Sync + 's>;
 
 /// What is called with the log of a program at its end.
 pub type LogKeeper<'s> = Box<dyn FnOnce(&ErrorLog) + Send + 's>;

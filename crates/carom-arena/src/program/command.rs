@@ -39,7 +39,7 @@ impl ProgramCommand {
 
     /// Reads a player's name: words as a shell separates them, with its quotes, but without variables
     /// and patterns. The program is looked up in `PATH`. It will run in a folder of its own, so a word
-    /// with a dot or a slash that names a file or folder here gets its full path.
+    /// with a dot or a slash that names a file or folder in `folder` gets its full path.
     ///
     /// Settings are `menu`, the largest number of plays in the menu of a request; and `memory` (MiB),
     /// `processes`, `cpu` (s) and `file` (MiB), limits of [`ProgramLimits`].
@@ -47,7 +47,7 @@ impl ProgramCommand {
     /// # Errors
     /// [`Error::Input`] at `player` for a name without the prefix, for a quote without an end, for a
     /// program that does not exist or may not be run, and with the key of an invalid setting.
-    pub fn read(name: &str) -> Result<Self, Error> {
+    pub fn read(name: &str, folder: &Path) -> Result<Self, Error> {
         let refuse = |kind: ErrorKind, what: String, remedy: &str| kind.at("player", what, remedy);
         let example = "write a command, as in \"exec:python3 mine.py\"";
         let not_one = || refuse(ErrorKind::Syntax, format!("\"{name}\" is not a program"), example);
@@ -67,13 +67,13 @@ impl ProgramCommand {
         let Some((program, arguments)) = written.split_first() else {
             return Err(refuse(ErrorKind::Missing, "the command is empty".into(), example));
         };
-        let Some(found) = find_program(program) else {
+        let Some(found) = find_program(program, folder) else {
             let what = format!("there is no program \"{program}\"");
             let remedy = "write its path, and make it executable (chmod +x)";
             return Err(refuse(ErrorKind::Missing, what, remedy));
         };
         let mut words = vec![found.display().to_string()];
-        words.extend(arguments.iter().map(|word| full_path(word)));
+        words.extend(arguments.iter().map(|word| full_path(word, folder)));
         Ok(Self { text: text.trim().into(), written, words, settings, limits, protocol })
     }
 
@@ -167,25 +167,26 @@ fn shortened(name: &str) -> String {
     start.iter().chain(&['…']).chain(end).collect()
 }
 
-/// The file of a program, as a shell finds it.
-fn find_program(word: &str) -> Option<PathBuf> {
+/// The file of a program, as a shell finds it in `folder`.
+fn find_program(word: &str, folder: &Path) -> Option<PathBuf> {
     let is_program = |path: &PathBuf| {
         fs::metadata(path)
             .is_ok_and(|found| found.is_file() && found.permissions().mode() & 0o111 != 0)
     };
     if word.contains('/') {
-        return std::path::absolute(word).ok().filter(is_program);
+        return std::path::absolute(folder.join(word)).ok().filter(is_program);
     }
     let folders = env::var_os("PATH").unwrap_or_default();
     let mut found = env::split_paths(&folders).map(|folder| folder.join(word));
     found.find_map(|path| std::path::absolute(path).ok().filter(is_program))
 }
 
-/// The full path of a word that names a file or folder here.
-fn full_path(word: &str) -> String {
-    let path = Path::new(word);
+/// The full path of a word that names a file or folder in `folder`.
+fn full_path(word: &str, folder: &Path) -> String {
+    let path = folder.join(word);
     if word.contains(['.', '/']) && path.exists() {
-        return std::path::absolute(path).map_or_else(|_| word.into(), |p| p.display().to_string());
+        return std::path::absolute(&path)
+            .map_or_else(|_| word.into(), |p| p.display().to_string());
     }
     word.into()
 }
@@ -206,13 +207,17 @@ fn hash(path: &Path) -> io::Result<String> {
 mod tests {
     use super::*;
 
+    fn read(name: &str) -> Result<ProgramCommand, Error> {
+        ProgramCommand::read(name, Path::new(""))
+    }
+
     fn refusal(name: &str) -> String {
-        ProgramCommand::read(name).unwrap_err().to_string()
+        read(name).unwrap_err().to_string()
     }
 
     #[test]
     fn words_are_separated_as_a_shell_does() {
-        let command = ProgramCommand::read("exec: sh -c 'echo \"a b\"' x\\ y $HOME * ").unwrap();
+        let command = read("exec: sh -c 'echo \"a b\"' x\\ y $HOME * ").unwrap();
         assert!(command.words[0].ends_with("/sh"), "{:?}", command.words);
         assert_eq!(command.words[1..], ["-c", "echo \"a b\"", "x y", "$HOME", "*"]);
     }
@@ -235,7 +240,7 @@ mod tests {
 
     #[test]
     fn settings_are_limits_and_a_menu() {
-        let command = ProgramCommand::read("exec[menu=12,memory=100,cpu=7]:sh -c ]:").unwrap();
+        let command = read("exec[menu=12,memory=100,cpu=7]:sh -c ]:").unwrap();
         assert_eq!(command.protocol().menu, 12);
         let expected =
             ProgramLimits { memory: 100 << 20, cpu_seconds: 7, ..ProgramLimits::default() };
@@ -256,7 +261,7 @@ mod tests {
 
     #[test]
     fn files_get_full_paths_and_hashes() {
-        let command = ProgramCommand::read("exec:sh Cargo.toml src ./src").unwrap();
+        let command = read("exec:sh Cargo.toml src ./src").unwrap();
         let here = env::current_dir().unwrap();
         let full = |name: &str| here.join(name).display().to_string();
         assert_eq!(command.words[1..], [full("Cargo.toml"), "src".into(), full("src")]);
@@ -266,6 +271,23 @@ mod tests {
         let expected = crate::secret::sha256(&fs::read("Cargo.toml").unwrap());
         assert_eq!(hashes.get("Cargo.toml"), Some(&Node::from(expected)));
         assert!(hashes.get("sh").is_some() && hashes.get("./src").is_none());
+    }
+
+    #[test]
+    fn the_entry_of_a_program_does_not_depend_on_the_folder_in_which_it_is_read() {
+        let here = read("exec:sh ./src/lib.rs src").unwrap();
+        let folder = env::current_dir().unwrap();
+        let text = "exec:sh ./src/lib.rs src";
+        let elsewhere = ProgramCommand::read(text, &folder.join("src/..")).unwrap();
+        let of = |command: &ProgramCommand| command.entry(Confinement::Plain).unwrap();
+        assert_eq!(of(&here), of(&elsewhere));
+        assert_eq!(elsewhere.words[1..], [full(&folder, "src/../src/lib.rs"), "src".into()]);
+        let error = ProgramCommand::read("exec:./Cargo.toml", Path::new("/etc")).unwrap_err();
+        assert!(error.to_string().contains("there is no program"), "{error}");
+    }
+
+    fn full(folder: &Path, name: &str) -> String {
+        folder.join(name).display().to_string()
     }
 
     #[test]

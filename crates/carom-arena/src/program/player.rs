@@ -1,6 +1,7 @@
 //! A program as a player of a match.
 
 use std::path::PathBuf;
+use std::sync::Arc;
 
 use carom_mind::Budget;
 
@@ -28,8 +29,8 @@ pub struct ProgramSite {
 /// A program as the player of one frame. It is started at the first request, and ended with this
 /// value.
 pub struct ProgramPlayer<'s> {
-    command: &'s ProgramCommand,
-    site: &'s ProgramSite,
+    command: Arc<ProgramCommand>,
+    site: Arc<ProgramSite>,
     is_stopped: StopCheck<'s>,
     protocol: ProtocolSettings,
     player: Option<ProtocolPlayer<ProgramChannel<'s>>>,
@@ -37,12 +38,13 @@ pub struct ProgramPlayer<'s> {
 
 impl<'s> ProgramPlayer<'s> {
     /// The program, which is not started yet. `is_stopped` says whether the match was stopped.
-    pub const fn new(
-        command: &'s ProgramCommand,
-        site: &'s ProgramSite,
+    pub fn new(
+        command: Arc<ProgramCommand>,
+        site: Arc<ProgramSite>,
         is_stopped: StopCheck<'s>,
     ) -> Self {
-        Self { command, site, is_stopped, protocol: command.protocol(), player: None }
+        let protocol = command.protocol();
+        Self { command, site, is_stopped, protocol, player: None }
     }
 
     /// The same program, asked as `protocol` says.
@@ -57,12 +59,14 @@ impl<'s> ProgramPlayer<'s> {
             hidden: self.site.hidden.clone(),
             ..ProgramOrder::new(self.command.words().to_vec(), self.site.confinement)
         };
-        let mut channel = ProgramChannel::start(&order, &self.site.supervisor, self.is_stopped)?;
-        if let Some(log) = &self.site.log {
+        let is_stopped = Arc::clone(&self.is_stopped);
+        let mut channel = ProgramChannel::start(&order, &self.site.supervisor, is_stopped)?;
+        if self.site.log.is_some() {
+            let site = Arc::clone(&self.site);
             let name = self.command.name();
             let heading = format!("frame {}, player {name} at seat {}", ask.frame_number, ask.seat);
             channel.keep_log(Box::new(move |found| {
-                if let Some(block) = found.block(&heading) {
+                if let (Some(log), Some(block)) = (&site.log, found.block(&heading)) {
                     log(block);
                 }
             }));

@@ -4,6 +4,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use carom_arena::{
@@ -39,7 +40,7 @@ pub(crate) struct Session {
 
 /// Starts a program that first prints its folder.
 pub(crate) fn start(order: ProgramOrder) -> Session {
-    let mut channel = ProgramChannel::start(&order, &supervisor(), &|| false).unwrap();
+    let mut channel = ProgramChannel::start(&order, &supervisor(), Arc::new(|| false)).unwrap();
     let deadline = Some(Instant::now() + Duration::from_secs(20));
     let folder = PathBuf::from(channel.receive(deadline).unwrap());
     Session { channel, folder }
