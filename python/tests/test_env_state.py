@@ -135,7 +135,7 @@ def saved(task: str = "nine-ball", **settings: Any) -> bytes:
         (lambda state: state[:60], "damaged"),
         (lambda state: state[:-20] + bytes([state[-20] ^ 1]) + state[-19:], "damaged"),
         (
-            lambda state: state.replace(b"carom-environments\x01", b"carom-environments\x63"),
+            lambda state: state.replace(b"carom-environments\x02", b"carom-environments\x63"),
             "version",
         ),
         (lambda state: saved("ten-ball"), "saved with task ten-ball, and here it is nine-ball"),

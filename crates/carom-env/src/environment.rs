@@ -1,5 +1,6 @@
 //! One environment.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use carom::resolve::cue_ball::Strike;
@@ -34,7 +35,7 @@ pub(crate) fn episode(
 }
 
 /// The result of a step.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct StepResult {
     pub(crate) reward: f64,
     pub(crate) terminated: bool,
@@ -50,7 +51,7 @@ pub(crate) struct StepResult {
     /// The winner of an episode that ended.
     pub(crate) winner: Option<Seat>,
     /// Why the episode ended; none if it goes on.
-    pub(crate) why: Option<&'static str>,
+    pub(crate) why: Option<Cow<'static, str>>,
 }
 
 /// What an opponent outside this crate answers.
@@ -60,6 +61,8 @@ pub enum Reply {
     Action(Vec<f32>),
     /// The answer of a player to the frame's request.
     Answer(Answer),
+    /// The player has lost the frame, such as by its clock: the reason in words.
+    Lost(String),
 }
 
 /// One environment.
@@ -67,7 +70,10 @@ pub enum Reply {
 pub(crate) struct Environment {
     seed: u64,
     /// Number of the episode with this seed.
-    number: u64,
+    pub(crate) number: u64,
+    /// Number of the starts of episodes, and of the states that were set, so far. It tells apart all
+    /// episodes of this environment, and is not part of its state.
+    pub(crate) starts: u64,
     episode_seed: u64,
     /// Steps of this episode.
     steps: u32,
@@ -86,6 +92,8 @@ pub(crate) struct Environment {
     pub(crate) drawn: Vec<f64>,
     /// The step in progress. Before the first step it has the reward of the opponent's opening.
     step: StepResult,
+    /// Why the opponent has lost the episode outside the rules of its game.
+    lost: Option<String>,
     /// The shots of the last step, if the settings ask for them.
     pub(crate) shots: Vec<Shot>,
 }
@@ -95,6 +103,7 @@ impl Environment {
         Self {
             seed,
             number: 0,
+            starts: 0,
             episode_seed: 0,
             steps: 0,
             moves: 0,
@@ -105,6 +114,7 @@ impl Environment {
             setup,
             drawn: Vec::new(),
             step: StepResult::default(),
+            lost: None,
             shots: Vec::new(),
         }
     }
@@ -133,7 +143,9 @@ impl Environment {
     fn begin(&mut self, config: &Config, start: Option<&EpisodeStart>) -> Result<(), Error> {
         self.episode_seed = episode_seed(self.seed, self.number);
         (self.steps, self.moves) = (0, 0);
+        self.starts += 1;
         self.step = StepResult::default();
+        self.lost = None;
         self.shots.clear();
         self.ended = true;
         self.agent = config.seat.of(self.episode_seed, self.number);
@@ -221,7 +233,7 @@ impl Environment {
     pub(crate) fn end_step(&mut self, config: &Config) -> StepResult {
         if self.ended {
             self.step.truncated = true;
-            return self.step;
+            return self.step.clone();
         }
         let ending = self.episode.ending();
         match ending {
@@ -235,13 +247,14 @@ impl Environment {
         step.truncated |= !step.terminated && is_last;
         self.ended = step.terminated || step.truncated;
         if self.ended {
-            step.why = Some(self.episode.why().unwrap_or("the limit of steps was reached"));
+            let by_rules = || self.episode.why().unwrap_or("the limit of steps was reached").into();
+            step.why = Some(self.lost.clone().map_or_else(by_rules, Cow::from));
             step.winner = match ending {
                 Some(Ending::Won(winner)) => Some(winner),
                 _ => None,
             };
         }
-        self.step
+        self.step.clone()
     }
 
     const fn errors_of_agent(&self) -> StrikeDraw {
@@ -269,6 +282,11 @@ impl Environment {
         !self.ended && asked == Some(1 - self.agent)
     }
 
+    /// The seed of a player's next decision.
+    pub(crate) fn decision_seed(&self) -> u64 {
+        decision_seed(self.episode_seed, self.moves)
+    }
+
     /// The seat that an opponent has.
     pub(crate) const fn opponent(&self) -> Seat {
         1 - self.agent
@@ -284,6 +302,10 @@ impl Environment {
                 self.play(config, &mut worker.simulator, strike)
             }
             Reply::Answer(answer) => self.take(config, &mut worker.simulator, Some(*answer)),
+            Reply::Lost(why) => {
+                self.lost = Some(why.clone());
+                self.take(config, &mut worker.simulator, Some(Answer::Concede))
+            }
         };
         self.charge(config, result);
     }
@@ -313,8 +335,7 @@ impl Environment {
                     let frame = self.episode.frame();
                     let asked = frame.filter(|frame| frame.player() == Some(self.opponent()));
                     let Some(frame) = asked else { return };
-                    let seed = decision_seed(self.episode_seed, self.moves);
-                    let answer = worker.decide(config, frame, self.agent, seed);
+                    let answer = worker.decide(config, frame, self.agent, self.decision_seed());
                     self.take(config, &mut worker.simulator, answer)
                 }
             };
@@ -392,6 +413,9 @@ impl Environment {
         shooter.write_to(out);
         agent.write_to(out);
         self.step.reward.write_to(out);
+        let lost = self.lost.as_deref().unwrap_or_default();
+        (lost.len() as u64).write_to(out);
+        out.extend(lost.as_bytes());
         self.episode.write_to(out);
     }
 
@@ -403,6 +427,11 @@ impl Environment {
         self.shooter = StateBytes::read_from(bytes)?;
         self.agent = StateBytes::read_from(bytes)?;
         self.step = StepResult { reward: StateBytes::read_from(bytes)?, ..StepResult::default() };
+        let length = usize::try_from(u64::read_from(bytes)?).ok()?;
+        let (lost, rest) = bytes.split_at_checked(length)?;
+        let lost = str::from_utf8(lost).ok()?;
+        (self.lost, *bytes) = ((length > 0).then(|| lost.into()), rest);
+        self.starts += 1;
         self.shots.clear();
         // Branches have other seeds, but the table of their episode.
         let seed = std::mem::replace(&mut self.episode_seed, episode_seed(self.seed, self.number));

@@ -4,6 +4,7 @@ use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{BallInSpace, Cling};
 use carom::{Error, ErrorKind, Shot};
+use carom_arena::LastShot;
 use carom_rules::{BallIndex, Call, Choice, Fouls, Frame, FrameBall, FrameSimulator, Seat, Turn};
 
 use crate::config::Config;
@@ -117,6 +118,11 @@ pub(crate) trait Episode: Send + Sync {
     /// The frame to whose requests a player answers; none if the task has no referee, and after a
     /// shot that could not be played.
     fn frame(&self) -> Option<&Frame> {
+        None
+    }
+    /// The last shot of the frame, if a seat answers its choices itself; none before the first shot, and
+    /// after [`Self::read_from`].
+    fn last_shot(&self) -> Option<LastShot<'_>> {
         None
     }
     /// Takes a player's answer to a choice, or its concession (`None`), and answers every choice

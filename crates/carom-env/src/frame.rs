@@ -3,10 +3,11 @@
 use carom::event::NullRecorder;
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, ErrorKind, Shot};
+use carom_arena::{Execution, LastShot};
 use carom_rules::games::eight_ball::{EIGHT, Group};
 use carom_rules::{
     BallIndex, Call, Choice, Fouls, Frame, FrameBall, FrameSimulator, Game, Prepared, Request,
-    Scoring, Seat, StateBytes, Turn, through_degrees,
+    Ruling, Scoring, Seat, StateBytes, Turn, through_degrees,
 };
 
 use crate::config::Config;
@@ -37,8 +38,21 @@ pub(crate) struct FrameEpisode {
     balls: Option<[usize; 2]>,
     /// The seat that answers its choices itself: that of a player.
     chooser: Option<Seat>,
+    /// The last shot, if there is such a seat.
+    last: Option<LastMove>,
     /// Whether a shot could not be played.
     failed: bool,
+}
+
+/// A shot, as everybody at the table has seen it.
+#[derive(Clone)]
+struct LastMove {
+    seat: Seat,
+    call: Call,
+    execution: Execution,
+    ruling: Ruling,
+    /// The choice that a player has made since.
+    choice: Option<Choice>,
 }
 
 impl FrameEpisode {
@@ -47,7 +61,7 @@ impl FrameEpisode {
         let (table, physics) = (Some(table), setup.physics.clone());
         let frame = Frame::new(game, config.options, table, physics, 0)?;
         let (points, balls) = (config.options.points, config.balls);
-        Ok(Self { frame, points, balls, chooser: None, failed: false })
+        Ok(Self { frame, points, balls, chooser: None, last: None, failed: false })
     }
 
     /// Whether the shooter may pot `ball` in this turn.
@@ -101,8 +115,15 @@ impl FrameEpisode {
             let usual = ANSWERS.into_iter().find(|answer| choices.contains(answer));
             let Some(answer) = usual.or_else(|| choices.first().copied()) else { break };
             self.frame.choose(answer)?;
+            self.note_choice(answer);
         }
         Ok(())
+    }
+
+    fn note_choice(&mut self, choice: Choice) {
+        if let Some(last) = &mut self.last {
+            last.choice = Some(choice);
+        }
     }
 
     fn try_play(
@@ -143,6 +164,13 @@ impl FrameEpisode {
         let may_pot = |(ball, _): &&(BallIndex, _)| self.may_pot(&turn, *ball);
         let potted = if legal { pocketed.iter().filter(may_pot).count() as u32 } else { 0 };
         self.frame = successor;
+        self.last = self.chooser.map(|_| LastMove {
+            seat: turn.player,
+            call,
+            execution: Execution { strike: actual, cue_ball: strike.cue_ball, cling: strike.cling },
+            ruling,
+            choice: None,
+        });
         self.answer_choices()?;
         Ok(ShotResult { legal, potted, points: ruling.points, fouls: ruling.fouls })
     }
@@ -152,6 +180,9 @@ impl FrameEpisode {
             Some(choice) => self.frame.choose(choice)?,
             None => self.frame.concede()?,
         };
+        if let Some(choice) = choice {
+            self.note_choice(choice);
+        }
         self.answer_choices()?;
         Ok(ShotResult { legal: true, potted: 0, points: ruling.points, fouls: Fouls::NONE })
     }
@@ -291,13 +322,14 @@ impl Episode for FrameEpisode {
 
     fn read_from(&mut self, bytes: &mut &[u8]) -> Option<()> {
         self.failed = StateBytes::read_from(bytes)?;
+        self.last = None;
         self.frame = self.frame.read_same(bytes)?;
         Some(())
     }
 
     fn restart(&mut self, seed: u64) -> Result<(), Error> {
         self.frame = self.frame.with_seed(seed)?;
-        self.failed = false;
+        (self.last, self.failed) = (None, false);
         let Some([least, most]) = self.balls else { return Ok(()) };
         let mut dice = Dice::of_layout(seed);
         let layout = self.frame.layout();
@@ -322,6 +354,11 @@ impl Episode for FrameEpisode {
 
     fn frame(&self) -> Option<&Frame> {
         (!self.failed).then_some(&self.frame)
+    }
+
+    fn last_shot(&self) -> Option<LastShot<'_>> {
+        let LastMove { seat, call, execution, ruling, choice } = self.last.as_ref()?;
+        Some(LastShot { seat: *seat, call: *call, execution, ruling, choice: *choice })
     }
 
     fn choose(&mut self, choice: Option<Choice>) -> Result<ShotResult, Error> {

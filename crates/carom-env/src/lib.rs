@@ -24,7 +24,8 @@
 //! ```
 //!
 //! The opponent can be any built-in player of [`carom_arena::BuiltInPlayer`], by its name
-//! ([`Opponent::read`]). It decides on the thread that steps its environment.
+//! ([`Opponent::read`]). It decides on the thread that steps its environment. [`ArenaOpponents`] are
+//! players with a clock, such as external programs, for [`VectorEnv::step_against`].
 //!
 //! # The same bits
 //!
@@ -40,9 +41,10 @@
 //!
 //! Files import downwards only: random, names, task_recorder ← setup, modes, task ← config ← episode,
 //! bare_table, observe, placement ← action ← opponent; frame, potting, sum_to_three, worker ←
-//! environment, saved ← vector.
+//! environment, saved ← vector ← arena_opponents.
 
 mod action;
+mod arena_opponents;
 mod bare_table;
 mod config;
 mod environment;
@@ -64,6 +66,7 @@ mod vector;
 mod worker;
 
 pub use action::{ACTIONS, ACTIONS_WITHOUT_HAND};
+pub use arena_opponents::{ArenaOpponents, IsStopped, MOST_ARENA_OPPONENTS, MakePlayer};
 pub use config::{Config, Rewards};
 pub use environment::Reply;
 pub use episode::EpisodeStart;

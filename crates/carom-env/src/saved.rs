@@ -10,7 +10,7 @@ use crate::task::Task;
 const NAME: &[u8] = b"carom-environments";
 
 /// Version of the format. It increases when a state of the same environments has other bytes.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
 
 /// The settings on which a state depends: their names and values in words.
 pub(crate) fn settings(task: Task, n: usize, config: &Config) -> Vec<(String, String)> {

@@ -1,5 +1,6 @@
 //! Many environments at once.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use carom::format::{Node, with_dated_names};
@@ -66,7 +67,7 @@ pub struct Transitions {
     /// The winner of an episode that ended; −1 without one.
     pub winners: Vec<i8>,
     /// Why the episode ended; none if it goes on.
-    pub why: Vec<Option<&'static str>>,
+    pub why: Vec<Option<Cow<'static, str>>>,
 }
 
 /// An environment whose opponent, outside this crate, has to answer.
@@ -74,7 +75,7 @@ pub struct Transitions {
 pub struct Asked<'a> {
     /// The environment's number.
     pub index: usize,
-    environment: &'a Environment,
+    pub(crate) environment: &'a Environment,
     config: &'a Config,
 }
 
@@ -327,7 +328,7 @@ impl VectorEnv {
             for ((_, player), environment) in steps.iter_mut().zip(&self.environments) {
                 *player = next_player(environment);
             }
-            out.collect(&steps, self.config.autoreset_mode);
+            out.collect(steps, self.config.autoreset_mode);
             return Ok(out);
         }
         let Self { environments, config, runner, .. } = self;
@@ -349,7 +350,7 @@ impl VectorEnv {
                 }
             },
         );
-        out.collect(&steps, config.autoreset_mode);
+        out.collect(steps, config.autoreset_mode);
         Ok(out)
     }
 
@@ -634,6 +635,12 @@ impl VectorEnv {
         node
     }
 
+    /// What tells the episode of environment `index` apart from all others in it; none after its end.
+    pub(crate) fn episode_in_progress(&self, index: usize) -> Option<u64> {
+        let environment = self.environments.get(index)?;
+        (!environment.ended).then_some(environment.starts)
+    }
+
     /// The data for a drawing of environment `index`: its table, the balls on it (id, radius in m,
     /// position in m) and the scores.
     ///
@@ -665,7 +672,7 @@ impl VectorEnv {
 }
 
 impl Transitions {
-    fn collect(&mut self, steps: &[(StepResult, i8)], autoreset: Autoreset) {
+    fn collect(&mut self, steps: Vec<(StepResult, i8)>, autoreset: Autoreset) {
         self.rewards = steps.iter().map(|(step, _)| step.reward).collect();
         self.terminated = steps.iter().map(|(step, _)| step.terminated).collect();
         self.truncated = steps.iter().map(|(step, _)| step.truncated).collect();
@@ -675,9 +682,9 @@ impl Transitions {
         self.strikes = steps.iter().map(|(step, _)| numbers(step.strike)).collect();
         self.winners =
             steps.iter().map(|(step, _)| step.winner.map_or(-1, |seat| seat as i8)).collect();
-        self.why = steps.iter().map(|(step, _)| step.why).collect();
         self.players = steps.iter().map(|(_, player)| *player).collect();
         let ended = steps.iter().any(|(step, _)| step.terminated || step.truncated);
+        self.why = steps.into_iter().map(|(step, _)| step.why).collect();
         if autoreset != Autoreset::SameStep || !ended {
             self.final_observations.clear();
         }

@@ -1,23 +1,25 @@
 //! Environments: `_core.VectorEnv`, `tasks` and `meanings`.
 
+use std::borrow::Cow;
 use std::sync::{Mutex, MutexGuard, TryLockError};
 
-use carom::{Error, ErrorKind};
+use carom::Error;
 use carom_env::{
-    ACTIONS, AgentSeat, Aim, Asked, Autoreset, BALL_FEATURES, Config, EpisodeStart, FEATURES,
-    Opponent, Outside, Reply, Rewards, Setup, TargetBall, Task, Transitions, Variable,
+    ACTIONS, AgentSeat, Aim, Answers, Asked, Autoreset, BALL_FEATURES, Config, EpisodeStart,
+    FEATURES, Opponent, Outside, Rewards, Setup, TargetBall, Task, Transitions, Variable,
 };
 use carom_rules::Fouls;
 use numpy::{PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyList, PyString};
 
+use crate::env_opponent::{EnvPrograms, Stopped, replies};
 use crate::error::to_exception;
 use crate::exceptions::CaromError;
 use crate::node::{from_python, to_python};
 use crate::options::{NoiseOptions, count};
 use crate::player::PlayFields;
-use crate::rules::{AnswerArguments, Frame};
+use crate::rules::Frame;
 use crate::shot::Shot;
 
 /// `carom.env.Rewards`, read by attribute.
@@ -72,6 +74,9 @@ fn read_config(task: Task, settings: &Bound<'_, PyDict>) -> PyResult<Config> {
                 let kind = if is_policy { Outside::Policy } else { Outside::Player };
                 config.opponent = Opponent::Outside(kind);
             }
+            "program" => config.opponent = Opponent::Outside(Outside::Player),
+            // Of the program.
+            "clock" => {}
             "seat" => config.seat = AgentSeat::read(value.extract()?).map_err(raise)?,
             "autoreset_mode" => {
                 config.autoreset_mode = Autoreset::read(value.extract()?).map_err(raise)?;
@@ -103,80 +108,37 @@ impl StartArgument<'_> {
     }
 }
 
-/// An error of ours, or an exception that an opponent raised.
-enum Stopped {
-    Ours(Error),
-    Theirs(PyErr),
-}
-
-impl From<Error> for Stopped {
-    fn from(error: Error) -> Self {
-        Self::Ours(error)
-    }
-}
-
-impl From<PyErr> for Stopped {
-    fn from(raised: PyErr) -> Self {
-        Self::Theirs(raised)
-    }
-}
-
-impl Stopped {
-    fn exception(self, py: Python<'_>) -> PyErr {
-        match self {
-            Self::Ours(error) => to_exception(py, &error),
-            Self::Theirs(raised) => raised,
-        }
-    }
-}
-
-/// Asks an opponent in Python. `ask` gets observations, shape (k, size), and returns actions, shape (k,
-/// width); or it gets a list of index, seat and frame, and returns a list of answers.
-fn replies(
-    ask: Option<&Py<PyAny>>,
-    is_policy: bool,
-    asked: &[Asked<'_>],
-) -> Result<Vec<Reply>, Stopped> {
-    let Some(ask) = ask else { return Ok(Vec::new()) };
-    Python::attach(|py| {
-        if is_policy {
-            let mut rows = Vec::new();
-            asked.iter().for_each(|asked| asked.observe(&mut rows));
-            let size = rows.len() / asked.len();
-            let rows = PyArray1::from_vec(py, rows).reshape([asked.len(), size])?;
-            let actions: PyReadonlyArray2<'_, f32> = ask.bind(py).call1((rows,))?.extract()?;
-            let actions = actions.as_array();
-            return Ok(actions.rows().into_iter().map(|row| Reply::Action(row.to_vec())).collect());
-        }
-        let frames: Vec<(usize, usize, Option<Frame>)> = asked
-            .iter()
-            .map(|asked| {
-                (asked.index, asked.seat(), asked.frame().map(|f| Frame::from(f.without_seed())))
-            })
-            .collect();
-        let answers: Vec<AnswerArguments> = ask.bind(py).call1((frames,))?.extract()?;
-        let read = |(asked, answer): (&Asked<'_>, AnswerArguments)| {
-            let nothing =
-                || ErrorKind::WrongState.at("opponent", "there is no frame", "choose a game");
-            let frame = asked.frame().ok_or_else(nothing)?;
-            let answer = answer.allowed(frame).map_err(|error| error.inside("opponent"))?;
-            Ok(Reply::Answer(answer))
-        };
-        asked.iter().zip(answers).map(read).collect()
-    })
-}
-
 /// Environments that step together.
 #[pyclass(frozen, module = "carom._core")]
-pub(crate) struct VectorEnv(Mutex<carom_env::VectorEnv>);
+pub(crate) struct VectorEnv {
+    envs: Mutex<carom_env::VectorEnv>,
+    /// The opponents, if they are an external program. They are locked after the environments.
+    programs: Option<EnvPrograms>,
+}
 
 #[pymethods]
 impl VectorEnv {
     #[new]
     fn new(py: Python<'_>, task: &str, n: usize, settings: &Bound<'_, PyDict>) -> PyResult<Self> {
         let task = Task::read(task).map_err(|e| to_exception(py, &e))?;
-        let envs = carom_env::VectorEnv::new(task, n, 0, read_config(task, settings)?);
-        envs.map(Self::from).map_err(|e| to_exception(py, &e))
+        let envs = carom_env::VectorEnv::new(task, n, 0, read_config(task, settings)?)
+            .map_err(|e| to_exception(py, &e))?;
+        let clock = settings.get_item("clock")?.map(|clock| clock.extract()).transpose()?;
+        let programs = match settings.get_item("program")? {
+            Some(program) => Some(
+                EnvPrograms::new(program.extract()?, clock, &envs)
+                    .map_err(|e| to_exception(py, &e))?,
+            ),
+            None => None,
+        };
+        Ok(Self { envs: Mutex::new(envs), programs })
+    }
+
+    /// Ends the programs that are opponents.
+    fn close(&self, py: Python<'_>) {
+        if let Some(programs) = &self.programs {
+            programs.end_all(py);
+        }
     }
 
     /// Resets the environments in `mask` (None: all) and returns observations, shape (n, size).
@@ -193,14 +155,11 @@ impl VectorEnv {
         let mask = mask.map(|mask| mask.as_array().to_vec());
         let starts: Vec<_> =
             starts.iter().map(|start| start.as_ref().map(StartArgument::start)).collect();
-        let mut lock = self.lock()?;
-        let envs = &mut *lock;
-        let is_policy = is_policy(envs);
-        let seen = py.detach(|| {
-            let mut ask = |asked: &[Asked<'_>]| replies(opponent.as_ref(), is_policy, asked);
-            envs.reset_against(seeds.as_deref(), mask.as_deref(), &starts, &mut ask)
-        });
-        rows(py, seen.map_err(|e: Stopped| e.exception(py))?, envs.observation_size())
+        let (seen, size) = self.against(py, opponent.as_ref(), |envs, ask| {
+            let seen = envs.reset_against(seeds.as_deref(), mask.as_deref(), &starts, ask)?;
+            Ok((seen, envs.observation_size()))
+        })?;
+        rows(py, seen, size)
     }
 
     /// Plays one shot in every environment; returns a dictionary of arrays with n entries each.
@@ -261,7 +220,7 @@ impl VectorEnv {
     ) -> PyResult<Step<'py>> {
         let action = action.as_array();
         let action = action.as_standard_layout();
-        let (played, _) =
+        let (mut played, _) =
             self.played(py, action.as_slice().unwrap_or_default(), opponent.as_ref())?;
         let [speed, azimuth, elevation, side, height] = played.strikes[0];
         let was_played = !speed.is_nan();
@@ -276,7 +235,7 @@ impl VectorEnv {
             played.fouls[0].bits(),
             was_played.then_some((speed, azimuth, elevation, side, height)),
             played.winners[0],
-            played.why[0],
+            played.why.swap_remove(0),
         ))
     }
 
@@ -290,11 +249,15 @@ impl VectorEnv {
     fn set_state<'py>(&self, py: Python<'py>, state: &[u8]) -> PyResult<Bound<'py, PyBytes>> {
         let mut envs = self.lock()?;
         let attachment = envs.set_state(state).map_err(|e| to_exception(py, &e))?;
+        if let Some(programs) = &self.programs {
+            programs.end_over(py, &envs);
+        }
         Ok(PyBytes::new(py, attachment))
     }
 
-    fn copy(&self) -> PyResult<Self> {
-        Ok(self.lock()?.clone().into())
+    fn copy(&self, py: Python<'_>) -> PyResult<Self> {
+        let envs = self.lock()?.clone();
+        self.with_programs(py, envs)
     }
 
     /// `n` copies of one environment, with other random numbers to come if there are `seeds`.
@@ -307,7 +270,7 @@ impl VectorEnv {
         threads: usize,
     ) -> PyResult<Self> {
         let copies = self.lock()?.copies(index, n, seeds.as_deref(), count(threads));
-        copies.map(Self::from).map_err(|e| to_exception(py, &e))
+        self.with_programs(py, copies.map_err(|e| to_exception(py, &e))?)
     }
 
     /// The play that an action means; None at the end of an episode.
@@ -432,19 +395,13 @@ type Step<'py> = (
     u16,
     Option<(f64, f64, f64, f64, f64)>,
     i8,
-    Option<&'static str>,
+    Option<Cow<'static, str>>,
 );
-
-impl From<carom_env::VectorEnv> for VectorEnv {
-    fn from(envs: carom_env::VectorEnv) -> Self {
-        Self(Mutex::new(envs))
-    }
-}
 
 impl VectorEnv {
     /// The environments, if no other thread uses them.
     fn lock(&self) -> PyResult<MutexGuard<'_, carom_env::VectorEnv>> {
-        match self.0.try_lock() {
+        match self.envs.try_lock() {
             Ok(envs) => Ok(envs),
             Err(TryLockError::Poisoned(envs)) => Ok(envs.into_inner()),
             Err(TryLockError::WouldBlock) => Err(CaromError::new_err(
@@ -461,19 +418,35 @@ impl VectorEnv {
         actions: &[f32],
         opponent: Option<&Py<PyAny>>,
     ) -> PyResult<(Transitions, usize)> {
+        self.against(py, opponent, |envs, ask| {
+            Ok((envs.step_against(actions, ask)?, envs.observation_size()))
+        })
+    }
+
+    /// What `work` returns with the function that asks the opponent.
+    fn against<T: Send>(
+        &self,
+        py: Python<'_>,
+        opponent: Option<&Py<PyAny>>,
+        work: impl FnOnce(&mut carom_env::VectorEnv, &mut Answers<'_, Stopped>) -> Result<T, Stopped>
+        + Send,
+    ) -> PyResult<T> {
         let mut lock = self.lock()?;
         let envs = &mut *lock;
-        let is_policy = is_policy(envs);
-        let played = py.detach(|| {
-            let mut ask = |asked: &[Asked<'_>]| replies(opponent, is_policy, asked);
-            envs.step_against(actions, &mut ask)
-        });
-        Ok((played.map_err(|e: Stopped| e.exception(py))?, envs.observation_size()))
+        if let Some(programs) = &self.programs {
+            return programs.run(py, envs, work);
+        }
+        let is_policy = envs.config().opponent == Opponent::Outside(Outside::Policy);
+        let mut ask = |asked: &[Asked<'_>]| replies(opponent, is_policy, asked);
+        py.detach(|| work(envs, &mut ask)).map_err(|stopped| stopped.exception(py))
     }
-}
 
-fn is_policy(envs: &carom_env::VectorEnv) -> bool {
-    envs.config().opponent == Opponent::Outside(Outside::Policy)
+    /// Other environments with the same opponent; a program has processes of its own in them.
+    fn with_programs(&self, py: Python<'_>, envs: carom_env::VectorEnv) -> PyResult<Self> {
+        let programs = self.programs.as_ref().map(|programs| programs.again(&envs)).transpose();
+        let programs = programs.map_err(|e| to_exception(py, &e))?;
+        Ok(Self { envs: Mutex::new(envs), programs })
+    }
 }
 
 fn rows<'py>(py: Python<'py>, flat: Vec<f32>, size: usize) -> PyResult<Bound<'py, PyArray2<f32>>> {
@@ -482,14 +455,20 @@ fn rows<'py>(py: Python<'py>, flat: Vec<f32>, size: usize) -> PyResult<Bound<'py
 }
 
 /// The reasons as a list of texts and None. Equal neighbours share their text.
-fn reasons<'py>(py: Python<'py>, why: &[Option<&'static str>]) -> PyResult<Bound<'py, PyList>> {
+fn reasons<'py>(
+    py: Python<'py>,
+    why: &[Option<Cow<'static, str>>],
+) -> PyResult<Bound<'py, PyList>> {
     let mut last: Option<(&str, Bound<'py, PyString>)> = None;
-    let mut text = |why: &'static str| match &last {
-        Some((known, text)) if *known == why => text.clone(),
-        _ => last.insert((why, PyString::new(py, why))).1.clone(),
-    };
-    let texts: Vec<Option<Bound<'py, PyString>>> =
-        why.iter().map(|why| why.map(&mut text)).collect();
+    let texts: Vec<Option<Bound<'py, PyString>>> = why
+        .iter()
+        .map(|why| {
+            let why = why.as_deref()?;
+            let known = last.as_ref().filter(|(known, _)| *known == why);
+            let text = known.map_or_else(|| PyString::new(py, why), |(_, text)| text.clone());
+            Some(last.insert((why, text)).1.clone())
+        })
+        .collect();
     PyList::new(py, texts)
 }
 

@@ -4,6 +4,7 @@ mod arena;
 mod arena_check;
 mod batch;
 mod env;
+mod env_opponent;
 mod error;
 mod exceptions;
 mod json;

@@ -177,6 +177,11 @@ impl Interrupt {
         self.asked.load(Ordering::Relaxed)
     }
 
+    /// Whether the end was asked for, which is forgotten.
+    pub(crate) fn take(&self) -> bool {
+        self.asked.swap(false, Ordering::Relaxed)
+    }
+
     fn check(&self) {
         Python::attach(|py| {
             if let Err(error) = py.check_signals() {
@@ -197,9 +202,18 @@ pub(crate) fn until_interrupted<T: Send>(
     interrupt: &Interrupt,
     work: impl FnOnce() -> Result<T, carom::Error> + Send,
 ) -> PyResult<T> {
+    watched(py, interrupt, work)?.map_err(|error| to_exception(py, &error))
+}
+
+/// As [`until_interrupted`], for work with any result.
+pub(crate) fn watched<T: Send>(
+    py: Python<'_>,
+    interrupt: &Interrupt,
+    work: impl FnOnce() -> T + Send,
+) -> PyResult<T> {
     let found = beside(py, &interrupt.own, work, || interrupt.check());
     match interrupt.raised.lock().unwrap_or_else(PoisonError::into_inner).take() {
         Some(error) => Err(error),
-        None => found.map_err(|error| to_exception(py, &error)),
+        None => Ok(found),
     }
 }

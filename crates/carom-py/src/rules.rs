@@ -104,11 +104,7 @@ impl AnswerArguments {
     /// The answer, if `frame` allows it.
     pub(crate) fn allowed(self, frame: &carom_rules::Frame) -> Result<Answer, Error> {
         let answer = self.read(frame)?;
-        match &answer {
-            Answer::Play(play) => drop(frame.shot(play)?),
-            Answer::Choice(choice) => drop(frame.clone().choose(*choice)?),
-            Answer::Concede => {}
-        }
+        carom_arena::check_answer(frame, &answer)?;
         Ok(answer)
     }
 }

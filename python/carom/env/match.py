@@ -61,7 +61,7 @@ class CaromMatch(Environments, AECEnv[str, Any, Any]):  # type: ignore[misc]
             raise InputError(
                 "unsupported", "game", "potting has one player", "choose a game, such as eight-ball"
             )
-        for key in ("opponent", "seat"):
+        for key in ("opponent", "clock", "seat"):
             if key in settings:
                 raise InputError(
                     "conflict", key, "both players are agents in a match", "leave it out"

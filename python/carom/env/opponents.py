@@ -1,4 +1,4 @@
-"""Opponents in Python: policies, and players of one's own."""
+"""Opponents in Python: policies, and players of one's own; and external programs."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 from carom import _core
+from carom.arena.contestants import is_program, program
+from carom.arena.named_players import named_player
 from carom.env.arrays import floats
 from carom.errors import InputError
 from carom.noise import Noise
@@ -19,6 +21,34 @@ if TYPE_CHECKING:
 
 #: What Rust calls when an opponent in Python has to answer.
 Ask = Callable[[Any], Any]
+
+
+def seated(opponent: Any) -> Any:
+    """The opponent that plays: of ``FILE.py:NAME``, and of a class, an object that is made here.
+
+    Raises:
+        InputError: The file has no such player.
+    """
+    if isinstance(opponent, str) and not is_program(opponent):
+        found = named_player("opponent", opponent)
+        if found is opponent:
+            return opponent
+        # In a file a function without arguments makes a player, as for matches.
+        opponent = found if callable(getattr(found, "choose", None)) else found()
+    if isinstance(opponent, type):
+        opponent = opponent()
+    return opponent
+
+
+def program_of(opponent: Any) -> tuple[Any, ...] | None:
+    """An external program in the form that Rust reads; None for another opponent.
+
+    Raises:
+        InputError: It cannot be started.
+    """
+    if not (isinstance(opponent, str) and is_program(opponent)):
+        return None
+    return program("opponent", opponent).program_arguments(None, (), strict=False)
 
 
 def kind_of(opponent: Any) -> str | None:

@@ -93,7 +93,7 @@ def as_player(
     word = text("task", task, '"eight-ball"')
     known = {key.removeprefix("carom/"): game for key, game in ENVIRONMENTS.items()}
     game = known.get(word.removeprefix("carom/"), word)
-    for key in (*_OF_FRAME, "opponent", "seat"):
+    for key in (*_OF_FRAME, "opponent", "clock", "seat"):
         if key in settings:
             raise InputError("conflict", key, "the match decides it", "leave it out")
     if game in _WITHOUT_FRAMES:

@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING, Any, Literal, TypedDict
 from carom.arguments import instance, number, numbers, text, thread_count, truth, whole
 from carom.build import Physics, Table
 from carom.deprecated import renamed_keys
-from carom.env.opponents import kind_of
+from carom.env.opponents import kind_of, program_of, seated
 from carom.errors import InputError
 from carom.noise import Noise
 from carom.player import Player
 from carom.player.situation import Chooser
+from carom.player.thinking import seconds
 
 if TYPE_CHECKING:
     from gymnasium.vector import AutoresetMode
@@ -126,15 +127,19 @@ class MatchSettings(TypedDict, total=False):
 class Settings(MatchSettings, total=False):
     """Settings of environments with one agent: those of :class:`MatchSettings`, and these."""
 
-    opponent: str | Callable[[Any], Any] | Chooser | Player
+    opponent: str | Callable[[Any], Any] | type | Chooser | Player
     """The second player. It is ``none``, ``random``, ``potter``, or in a game a built-in player
     (``carom.players()`` lists them), such as ``level-2``. Settings and a number of simulated shots
     for each decision may follow, as in ``carom[shift=false]:500``; a player that is not a level has
     200 without a number. A level strikes with its own noise. Or an opponent of one's own: a
     function from observations, shape (k, size), to actions, shape (k, action size), or an object
-    with ``choose(situation)`` (``carom.Situation``), which returns a ``carom.Play``, a
-    ``carom.Decision``, the name of a choice, ``"concede"``, or plain values that follow
-    ``frame.answer_schema()``. The default is ``"none"``."""
+    with ``choose(situation)`` (``carom.Situation``), or a class that makes one. It returns a
+    ``carom.Play``, a ``carom.Decision``, the name of a choice, ``"concede"``, or plain values that
+    follow ``frame.answer_schema()``. ``FILE.py:CLASS`` names such a class, and ``exec:COMMAND`` an
+    external program, as for ``carom.play_match``. The default is ``"none"``."""
+    clock: float | None
+    """Seconds that an external program has in an episode. If it uses them up, it loses. Other
+    opponents have no clock. None means 600 s."""
     seat: int | Literal["random", "alternate"]
     """The agent's seat, if it has an opponent. It is 0 (it begins), 1, ``random`` (drawn for every
     episode) or ``alternate`` (0 in the first episode of a seed, then 1, and so on).
@@ -153,13 +158,17 @@ class VectorSettings(Settings, total=False):
 def known(given: Mapping[str, Any]) -> dict[str, Any]:
     """The settings under their present names. ``target`` is the old name of ``points``.
 
+    An opponent that a file or a class has becomes an object.
+
     Raises:
-        InputError: There is no such setting.
+        InputError: There is no such setting, or no such opponent.
     """
     own = renamed_keys("settings", given, _RENAMED)
     for name in own:
         if name not in _CHECKS:
             raise _no_such(name)
+    if "opponent" in own:
+        own["opponent"] = seated(own["opponent"])
     return own
 
 
@@ -167,14 +176,22 @@ def checked(own: Mapping[str, Any]) -> dict[str, Any]:
     """The settings as Rust reads them. Those that are not given are missing: Rust has the defaults.
 
     ``table`` and ``physics`` become ``setups``, a list of pairs; an opponent in Python becomes
-    ``outside``, its kind.
+    ``outside``, its kind; an external program becomes ``program``.
 
     Raises:
         InputError: A setting has a wrong type. Rust checks the ranges.
     """
     found = {name: _CHECKS[name](name, value) for name, value in own.items()}
     found["setups"] = _setups(found.pop("table", None), found.pop("physics", None))
-    if "opponent" in found and (kind := kind_of(found["opponent"])) is not None:
+    opponent = found.get("opponent")
+    if (program := program_of(opponent)) is not None:
+        del found["opponent"]
+        found["program"] = program
+    elif found.get("clock") is not None:
+        raise InputError(
+            "conflict", "clock", "it is that of a program", 'leave it out, or give "exec:COMMAND"'
+        )
+    elif "opponent" in found and (kind := kind_of(opponent)) is not None:
         del found["opponent"]
         found["outside"] = kind
     return {name: value for name, value in found.items() if value is not None}
@@ -254,6 +271,7 @@ _CHECKS: dict[str, Check] = {
     "traces": truth,
     "threads": lambda _, value: thread_count(value) or None,
     "opponent": _as_given,
+    "clock": _or_none(seconds),
     "seat": _seat,
     "autoreset_mode": lambda name, value: text(name, value, '"same-step"'),
 }

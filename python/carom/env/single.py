@@ -107,6 +107,10 @@ class CaromEnv(Environments, gymnasium.Env[Any, Any]):
             info |= self._about_episode()
         return seen, reward, terminated, truncated, info
 
+    def close(self) -> None:
+        """End the processes of an opponent that is a program. Another step starts them again."""
+        self._core.close()
+
     def render(self) -> Any:
         """A picture of the table, uint8 of shape (height, width, 3); None without a render mode."""
         return None if self.render_mode is None else frame(self._core.picture(0))

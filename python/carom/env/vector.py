@@ -152,6 +152,10 @@ class CaromVectorEnv(Environments, VectorEnv[Any, Any, Any]):
             )
         return self._results(self._core, actions)
 
+    def close_extras(self, **_: Any) -> None:
+        """End the processes of an opponent that is a program; ``close`` calls it."""
+        self._core.close()
+
     def render(self) -> tuple[Array, ...] | None:
         """A picture of every environment's table; None without a render mode."""
         if self.render_mode is None:
