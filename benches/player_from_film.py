@@ -150,8 +150,12 @@ def near_intention(
     if not np.isfinite(costs).any():
         return None
     vector = vectors[costs.argmin()]
-    here, slopes = levenberg.derivatives(at, vector[None], steps)
-    rest, slopes = here[0, :-1], slopes[0, :, :-1] / steps[:, None]
+    here, ahead = levenberg.derivatives(at, vector[None], steps)
+    _, behind = levenberg.derivatives(at, vector[None], -steps)
+    # Where a contact begins or ends between the two, one difference quotient is far too large.
+    ahead, behind = ahead[0, :, :-1], -behind[0, :, :-1]
+    slopes = np.where(np.abs(ahead) < np.abs(behind), ahead, behind) / steps[:, None]
+    rest = here[0, :-1]
     curvature = slopes @ slopes.T / variance + np.diag(1.0 / (LOOSE * scale) ** 2)
     covariance = np.linalg.inv(curvature)
     vector = vector - covariance @ (slopes @ rest) / variance
