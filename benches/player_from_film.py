@@ -14,6 +14,7 @@ import json
 import math
 import sys
 import time
+from copy import deepcopy
 from pathlib import Path
 from typing import Any
 
@@ -22,9 +23,9 @@ import numpy as np
 from carom import learn
 from carom.bench import report
 from carom.learn import levenberg
-from carom.learn.observation import observe
+from carom.learn.observation import Observation, observe
 from carom.learn.player_errors import NUMBERS, UNITS, PlayedStrike, vector_of
-from carom.learn.strike_search import STEPS, StrikeProblem
+from carom.learn.strike_search import STEPS, StrikeProblem, residuals
 from carom.learn.table_model import Frame
 from numpy.typing import NDArray
 
@@ -36,6 +37,10 @@ MISSED = 0.005
 #: Standard deviation of a strike about the intended one in the pull of ``near_intention``: azimuth
 #: (rad), speed (m/s), side, height (ball radii), elevation (rad), clock (s).
 PULL = (0.04, 1.0, 0.4, 0.4, 0.14, 0.05)
+#: Noise of the camera, m.
+NOISE = 0.001
+#: Step of a difference quotient by a place, m.
+MOVE = 1e-5
 #: Standard deviation of what the film does not measure, in the same unit.
 LOOSE = 10.0
 
@@ -159,7 +164,8 @@ def near_intention(
     curvature = slopes @ slopes.T / variance + np.diag(1.0 / (LOOSE * scale) ** 2)
     covariance = np.linalg.inv(curvature)
     vector = vector - covariance @ (slopes @ rest) / variance
-    covariance *= max(1.0, float(rest @ rest) / (rest.size - 6) / variance)
+    lead = covariance @ (slopes @ by_place(found, observed, vector).T) / variance
+    covariance = covariance + lead @ lead.T * place_variance(observed)
     radius = float(drill.radius[0])
     order = [1, 0, 4, 2, 3]
     unit = np.array((1.0 / target[1], 1.0, 1.0, radius, radius))
@@ -167,6 +173,28 @@ def near_intention(
     moved[0] = math.log(max(vector[1], 0.1 * target[1]))
     spread = covariance[np.ix_(order, order)] * np.outer(unit, unit)
     return PlayedStrike(found.name, found.shot, moved, spread)
+
+
+def by_place(found: learn.FilmedStrike, observed: Observation, vector: Floats) -> Floats:
+    """Derivatives of the residuals by the place of rest of the struck ball, shape (2, m)."""
+    file = found.shot.to_dict()
+    shots = [found.shot]
+    for axis in (0, 1):
+        moved = deepcopy(file)
+        ball = next(ball for ball in moved["balls"] if ball["id"] == observed.struck)
+        ball["position"][axis] += MOVE
+        shots.append(carom.Shot.from_dict(moved))
+    here, *there = residuals(
+        shots, np.repeat(vector[None], 3, axis=0), observed.until(observed.end), Frame(), None
+    )
+    return np.array([(one - here) / MOVE for one in there])
+
+
+def place_variance(observed: Observation) -> float:
+    """Variance of a coordinate of the place of rest, m²: that of the median of its pictures."""
+    ball = observed.samples[observed.struck]
+    count = int((ball.time - ball.time[0] < observed.first_move).sum())
+    return math.pi / 2.0 * NOISE**2 / max(count - 1, 1)
 
 
 def vector_in_search(shot: carom.Shot, clock: float) -> Floats:
