@@ -172,6 +172,8 @@ def near_intention(
     moved = vector_of(drill) + (vector - target)[order] * unit
     moved[0] = math.log(max(vector[1], 0.1 * target[1]))
     spread = covariance[np.ix_(order, order)] * np.outer(unit, unit)
+    if not np.isfinite(spread).all():
+        return None
     return PlayedStrike(found.name, found.shot, moved, spread)
 
 

@@ -172,6 +172,10 @@ def test_too_few_strikes_and_missing_intentions_are_named() -> None:
         learn.player(strikes(3, 0.1, 0), {"0": DRILL})
     with pytest.raises(InputError, match="two are called"):
         learn.player(strikes(2, 0.1, 0) * 2, DRILL)
+    with pytest.raises(InputError, match="not finite"):
+        learn.PlayedStrike("7", DRILL, vector_of(DRILL), np.full((5, 5), np.nan))
+    with pytest.raises(InputError, match="not positive semidefinite"):
+        learn.PlayedStrike("7", DRILL, vector_of(DRILL), -np.eye(5))
     with pytest.raises(InputError, match="at least 12 rows"):
         learn.PlayedStrike.of_samples("7", DRILL, np.zeros((3, 6)))
 

@@ -48,12 +48,41 @@ class PlayedStrike:
         vector: Natural logarithm of the speed in m/s, azimuth, elevation (rad), side, height (m);
             shape (5,).
         covariance: Covariance of the measurement in these units, shape (5, 5).
+
+    Raises:
+        InputError: A shape is another one, a number is not finite, or a variance is negative.
     """
 
     name: str
     shot: Shot
     vector: Floats
     covariance: Floats
+
+    def __post_init__(self) -> None:
+        place = f"shot {self.name}"
+        if self.vector.shape != (5,) or self.covariance.shape != (5, 5):
+            raise InputError(
+                "wrong-count",
+                place,
+                f"the shapes are {self.vector.shape} and {self.covariance.shape}",
+                "give five numbers and their covariance",
+            )
+        if not (np.isfinite(self.vector).all() and np.isfinite(self.covariance).all()):
+            raise InputError(
+                "out-of-range",
+                place,
+                "the strike or its covariance has a number that is not finite",
+                "leave the shot out",
+            )
+        scaled = self.covariance / np.outer(SCALE, SCALE)
+        values = np.linalg.eigvalsh((scaled + scaled.T) / 2.0)
+        if values.min() < -1e-6 * max(1.0, values.max()):
+            raise InputError(
+                "out-of-range",
+                place,
+                "its covariance is not positive semidefinite",
+                "give one such as numpy.cov(samples.T)",
+            )
 
     @classmethod
     def exact(cls, name: str, shot: Shot) -> Self:
