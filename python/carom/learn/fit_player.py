@@ -192,7 +192,7 @@ class _Fit:
             size = len(meant.weights)
             errors[row, :size] = difference(strike.vector, meant.vectors) / scale
             own = strike.covariance + meant.covariances
-            measured[row, :size] = own / np.outer(scale, scale) + np.eye(5) * EXACT**2
+            measured[row, :size] = _at_least_exact(own / np.outer(scale, scale))
             weights[row, :size] = np.log(meant.weights)
             if meant.log_background is not None:
                 background[row] = meant.log_background + np.log(scale).sum()
@@ -265,6 +265,14 @@ class _Fit:
             share = np.diag(precision) * np.diag(covariance / scale)
             total += np.minimum(share, 1.0) ** 2
         return total
+
+
+def _at_least_exact(covariances: Floats) -> Floats:
+    """Covariances, shape (..., 5, 5), with no direction that is more exact than ``EXACT``."""
+    values, vectors = np.linalg.eigh(covariances)
+    wide = np.maximum(values, 0.0) + EXACT**2
+    found: Floats = (vectors * wide[..., None, :]) @ np.swapaxes(vectors, -1, -2)
+    return found
 
 
 def _choices(
