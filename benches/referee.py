@@ -1,11 +1,16 @@
-"""Instructions of the referee for a player in Python: what a request costs beside the shot.
+"""Instructions of the referee: what it adds to a simulation, and what a player in Python adds.
 
     python benches/referee.py                  # some minutes; needs valgrind
 
-A player returns prepared plays. callgrind counts a match in which it concedes at once, and one in
-which it plays on. The difference is that of the shots. Instructions outside of the extension
-module, that is in Python, are those of the requests and of the reading of the answers.
-Instructions of the extension module that convert are counted as part of the shot.
+The counts are stored in ``benches/results/referee.json``.
+
+*The referee.* The example `referee_cost` of carom-arena plays frames with prepared plays once and
+twice, and simulates their shots once more alone. The differences are the instructions of the frames
+and of the simulations.
+
+*A player in Python* returns prepared plays. callgrind counts a match of one pair, and one of more
+pairs; the difference is that of the shots of the others. Instructions of the extension module that
+convert are counted with those of the shot.
 """
 
 from __future__ import annotations
@@ -17,7 +22,14 @@ import sys
 import tempfile
 from collections import Counter
 from pathlib import Path
+from typing import Any
 
+import callgrind
+from carom.bench import report
+
+#: Pairs of frames that are counted.
+PAIRS = 5
+STORED = Path(__file__).parent / "results" / "referee.json"
 #: Largest number of requests of a player in a frame.
 GAMES = {"nine-ball": 12, "three-cushion": 40}
 
@@ -26,7 +38,7 @@ import json, sys
 import carom
 from carom.arena import MatchPlan, play_pair
 
-game, most = sys.argv[1], int(sys.argv[2])
+game, most, pairs = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
 count = 0
 
 FREE = [carom.Play(carom.Strike(3.0, 0.064 * k)) for k in range(97)]
@@ -51,17 +63,18 @@ class Prepared:
         return plays[self.asked % len(plays)]
 
 plan = MatchPlan(Prepared, Prepared, game=game, secret="ab" * 32, simulations=1)
-play_pair(plan, 0)
+for number in range(pairs):
+    play_pair(plan, number)
 print(count)
 """
 
 
-def instructions(game: str, most: int, folder: Path) -> tuple[Counter[str], int]:
+def instructions(game: str, most: int, pairs: int, folder: Path) -> tuple[Counter[str], int]:
     """Instructions by the object file in which they are, and the number of answered requests."""
     out = folder / "callgrind.out"
     command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", sys.executable]
     done = subprocess.run(
-        [*command, "-c", PROGRAM, game, str(most)],
+        [*command, "-c", PROGRAM, game, str(most), str(pairs)],
         check=True,
         capture_output=True,
         text=True,
@@ -87,21 +100,46 @@ def instructions(game: str, most: int, folder: Path) -> tuple[Counter[str], int]
     return counts, int(done.stdout)
 
 
+def of_python(game: str, most: int) -> dict[str, Any]:
+    """The counts of a request to a player in Python, with the shot that it asks for."""
+    with tempfile.TemporaryDirectory() as folder:
+        once, none = instructions(game, most, 1, Path(folder))
+        more, shots = instructions(game, most, 1 + PAIRS, Path(folder))
+    added = more - once
+    libc = sum(n for place, n in added.items() if "/libc." in place)
+    engine = sum(n for place, n in added.items() if "_core." in place)
+    return {
+        "requests": shots - none,
+        "instructions_of_a_request": round(added.total() / (shots - none)),
+        "of_them_in_the_extension": round(engine / (shots - none)),
+        "of_them_in_libc": round(libc / (shots - none)),
+        "of_them_in_python": round((added.total() - engine - libc) / (shots - none)),
+    }
+
+
+def of_referee(program: Path, game: str) -> dict[str, Any]:
+    """The counts of a shot in a frame of the arena, and of its simulation alone."""
+    once, printed = callgrind.count(program, game, 1, 0)
+    twice, _ = callgrind.count(program, game, 2, 0)
+    alone, _ = callgrind.count(program, game, 1, 1)
+    shots, frames, simulations = int(printed), twice - once, alone - once
+    return {
+        "shots": shots,
+        "instructions_of_a_shot": round(frames / shots),
+        "of_its_simulation": round(simulations / shots),
+        "overhead": round(frames / simulations - 1, 4),
+    }
+
+
 def main() -> None:
-    """Print the counts of a request and of a shot of each game."""
-    found = {}
-    for game, most in GAMES.items():
-        with tempfile.TemporaryDirectory() as folder:
-            without, none = instructions(game, 0, Path(folder))
-            played, shots = instructions(game, most, Path(folder))
-        added = played - without
-        python = sum(n for place, n in added.items() if "carom" not in place)
-        found[game] = {
-            "requests": shots - none,
-            "instructions_of_a_request": round(added.total() / (shots - none)),
-            "of_them_in_python": round(python / (shots - none)),
-        }
-    print(json.dumps(found, indent=2))
+    """Count and store a request and a shot of each game."""
+    program = callgrind.build("carom-arena", "referee_cost")
+    result = report.where() | {
+        "referee": {game: of_referee(program, game) for game in GAMES},
+        "python": {game: of_python(game, most) for game, most in GAMES.items()},
+    }
+    STORED.write_text(json.dumps(result, indent=2) + "\n", encoding="utf-8")
+    print(json.dumps(result, indent=2))
 
 
 if __name__ == "__main__":
