@@ -28,19 +28,19 @@ SOFT = np.array([0.5, -0.9, 0, 0, 0, 0, 0], dtype=np.float32)
 # A program that greets and then runs ANSWER for every request.
 PROGRAM = """
 import json, os, sys, time
-def say(**message):
+def send(**message):
     print(json.dumps(message), flush=True)
 for line in sys.stdin:
     message = json.loads(line)
     kind = message["type"]
     if kind == "hello":
-        say(type="hello", name="test")
+        send(type="hello", name="test")
     elif kind == "match":
-        say(type="ready")
+        send(type="ready")
     elif kind in ("request", "refused"):
         ANSWER
 """
-CONCEDE = 'say(type="concede", id=message["id"])'
+CONCEDE = 'send(type="concede", id=message["id"])'
 
 
 @pytest.fixture
@@ -106,7 +106,7 @@ def test_close_ends_every_process_and_another_step_starts_them_again(program: An
     answer = (
         'play = {"strike": {"speed": 1.0, "azimuth": 1.2}}\n'
         '        if message.get("in_hand"): play["cue_ball"] = [0.635, 0.5]\n'
-        '        say(type="play", id=message["id"], **play)'
+        '        send(type="play", id=message["id"], **play)'
     )
     opponent = program(answer, word)
     envs = carom.env.CaromVectorEnv("nine-ball", 3, opponent=opponent)
@@ -140,7 +140,7 @@ def test_close_ends_every_process_and_another_step_starts_them_again(program: An
 @on_linux
 def test_no_process_is_left_when_the_interpreter_ends(tmp_path: Path, program: Any) -> None:
     word = f"program {time.time_ns()}.py"
-    answer = 'say(type="play", id=message["id"], strike={"speed": 1, "azimuth": 1})'
+    answer = 'send(type="play", id=message["id"], strike={"speed": 1, "azimuth": 1})'
     opponent = program(answer, word)
     script = tmp_path / "script.py"
     script.write_text(
@@ -179,7 +179,7 @@ def test_no_process_is_left_when_the_interpreter_ends(tmp_path: Path, program: A
         ('print("x" * 3000000, flush=True)', None, "long-line: "),
         ('print("[" * 100, flush=True)', None, "refusals: the player gave 11 refused answers"),
         (
-            'say(type="play", id=message["id"], strike={"speed": -1, "azimuth": 1})',
+            'send(type="play", id=message["id"], strike={"speed": -1, "azimuth": 1})',
             None,
             "refusals: the player gave 11 refused answers",
         ),
@@ -221,13 +221,13 @@ def test_a_program_is_told_why_an_answer_is_refused_and_what_came_before(program
     answer = """
         if kind == "request":
             told = message
-            say(type="play", id=message["id"], strike={"speed": 99.0, "azimuth": 1})
+            send(type="play", id=message["id"], strike={"speed": 99.0, "azimuth": 1})
         else:
             assert message["place"] == "strike.speed", message
             assert told["last"]["seat"] == 0 and told["last"]["strike"]["speed"] > 0
             assert told["clocks"][1]["left"] <= 600 and told["frame"] == 0 and told["seat"] == 1
             assert told["noise"][0]["speed"] == told["noise"][1]["speed"]
-            say(type="concede", id=message["id"])
+            send(type="concede", id=message["id"])
 """
     env = carom.env.CaromEnv("nine-ball", opponent=program(answer.strip()))
     env.reset(seed=1)
@@ -301,4 +301,4 @@ def test_a_class_of_a_file_is_an_opponent_as_its_object_is(
         env.reset(seed=1)
         assert env.step(SOFT)[4]["why"] == "the other player conceded"
     with pytest.raises(InputError, match=r"^opponent: "):
-        carom.env.CaromEnv("nine-ball", opponent="mine.py:Nobody")
+        carom.env.CaromEnv("nine-ball", opponent="mine.py:Missing")

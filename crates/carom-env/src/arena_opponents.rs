@@ -41,7 +41,7 @@ struct SeatedPlayer {
     /// The episode: `starts` of its environment.
     starts: u64,
     player: Box<dyn MatchPlayer>,
-    /// What the player is told of the frame.
+    /// The frame as messages describe it.
     of: Match,
     account: SeatAccount,
 }
