@@ -4,10 +4,8 @@ from __future__ import annotations
 
 import base64
 import gzip
-import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from html import escape
-from typing import Any
 from urllib.parse import unquote
 
 from carom import page
@@ -15,53 +13,22 @@ from carom.arena.report import RatingInterval, Report, ReportTable, Share
 from carom.arena.report_match import ReportMatch
 from carom.arena.sequential import rating
 from carom.errors import PageError
+from carom.html_report import cell, document, grid, minus, row_head, scrolling, text_cell
 
 # What the reasons of ends are called in the table of lost frames.
 _REASONS = {"won": "by the rules"}
 
 _STYLE = """
-:root { color-scheme: light dark; --line: #d4d8dd; --soft: #f3f5f7; --ink: #1b1f24; --dim: #5a636d;
-  --accent: #0b62c4; --ground: #fff; }
-@media (prefers-color-scheme: dark) { :root { --line: #3a424b; --soft: #20262d; --ink: #e8ebee;
-  --dim: #a2abb5; --accent: #7ab7ff; --ground: #14181c; } }
-* { box-sizing: border-box; }
-body { margin: 0 auto; max-width: 72rem; padding: 1rem; background: var(--ground);
-  color: var(--ink); font: 1rem/1.5 system-ui, sans-serif; }
-h1 { font-size: 1.6rem; margin: .5rem 0; } h2 { font-size: 1.25rem; margin: 2rem 0 .25rem; }
-h1, h2 { overflow-wrap: anywhere; }
-h3 { font-size: 1rem; font-weight: 400; color: var(--dim); margin: 1.25rem 0 .25rem; }
-p { margin: .25rem 0 .5rem; } .dim { color: var(--dim); }
-a { color: var(--accent); }
-.wide { overflow-x: auto; } .wide:focus-visible { outline: 2px solid var(--accent); }
-table { border-collapse: collapse; font-variant-numeric: tabular-nums; }
-th, td { padding: .25rem .6rem; border-bottom: 1px solid var(--line); text-align: end;
-  white-space: nowrap; }
-small { color: var(--dim); margin-inline-start: .35rem; }
-th { font-weight: 600; } th[scope="row"], .text { text-align: start; }
-th[scope="row"] { position: sticky; left: 0; background: var(--ground); min-width: 6rem;
-  max-width: 16rem; white-space: normal; overflow-wrap: break-word; }
-thead th, thead td { border-bottom-width: 2px; vertical-align: bottom; }
-thead th { white-space: normal; }
-tbody tr:hover, tbody tr:hover th { background: var(--soft); }
-td.text.why { white-space: normal; min-width: 12rem; }
 .bar { display: block; width: 9rem; height: .6rem; margin-top: .15rem; }
 .bar rect { fill: var(--line); } .bar line { stroke: var(--accent); stroke-width: 3; }
 .bar circle { fill: var(--accent); }
-details > summary { cursor: pointer; padding: .35rem 0; overflow-wrap: anywhere; }
 dialog { width: 100vw; height: 100vh; max-width: none; max-height: none; margin: 0; padding: 0;
   border: 0; background: var(--ground); color: var(--ink); }
 dialog[open] { display: flex; flex-direction: column; }
 dialog p { display: flex; gap: 1rem; align-items: center; margin: 0; padding: .35rem .75rem; }
 dialog iframe { flex: 1; width: 100%; border: 0; }
 button { font: inherit; padding: .2rem .8rem; }
-@media (max-width: 40rem) { th[scope="row"] { max-width: 8rem; }
-  th, td { padding: .25rem .4rem; } }
-@media print { body { max-width: none; padding: 0; font-size: .7rem; } .wide { overflow: visible; }
-  :root { --line: #bbb; --soft: #fff; --ink: #000; --dim: #444; --accent: #000; --ground: #fff; }
-  th, td { padding: .15rem .3rem; } th, td.text { white-space: normal; }
-  h1 { font-size: 1.2rem; } h2 { font-size: 1rem; } h3 { font-size: .8rem; }
-  .bar { width: 4rem; } h2, h3 { break-after: avoid; } tr { break-inside: avoid; }
-  a { color: inherit; text-decoration: none; } details:not([open]) { display: none; } }
+@media print { .bar { width: 4rem; } }
 """
 
 # Opens `#game-MATCH-FRAME`: unpacks the page, puts the header and the line of the frame into it,
@@ -125,22 +92,8 @@ def report_html(report: Report, *, title: str, games: bool = True) -> str:
         *(part for n, table in enumerate(report.tables) for part in _table_parts(n, table)),
         *_games(report, linked=viewer is not None),
     ]
-    return "\n".join(
-        [
-            "<!doctype html>",
-            '<html lang="en">',
-            '<meta charset="utf-8">',
-            '<meta name="viewport" content="width=device-width, initial-scale=1">',
-            f"<title>{escape(title)} · carom</title>",
-            f"<style>{_STYLE}</style>",
-            "<body>",
-            "<main>",
-            *body,
-            "</main>",
-            *([] if viewer is None else _viewer_parts(report, viewer)),
-            "</body></html>\n",
-        ]
-    )
+    after = [] if viewer is None else _viewer_parts(report, viewer)
+    return document(title, body, style=_STYLE, after=after)
 
 
 _NOT_RATED = (
@@ -192,15 +145,15 @@ def _players(of: str, table: ReportTable) -> str:
     rows = []
     for row in table.rows:
         frames = row.won + row.drawn + row.lost
-        cells = [_row_head(row.name)]
+        cells = [row_head(row.name)]
         if is_rated:
             cells.append(_with_interval(row.rating, _signed))
         cells += [_with_interval(row.share, _percent), f"<td>{_bar(row.share)}</td>"]
         if is_adjusted:
             cells.append(_with_interval(row.adjusted, _percent))
-        cells += map(_cell, (frames, row.won, row.drawn, row.lost))
+        cells += map(cell, (frames, row.won, row.drawn, row.lost))
         rows.append("".join(cells))
-    return _grid(of, "Players, with intervals", heads, rows)
+    return grid(of, "Players, with intervals", heads, rows)
 
 
 def _ratings_note(breaker: RatingInterval) -> str:
@@ -214,7 +167,7 @@ def _ratings_note(breaker: RatingInterval) -> str:
 def _with_interval(found: tuple[float, float, float] | None, shown: Callable[[float], str]) -> str:
     """A value and its interval in one cell."""
     if found is None:
-        return _cell("–")
+        return cell("–")
     value, low, high = map(shown, found)
     return f"<td>{value} <small>{low.removesuffix(' %')} to {high.removesuffix(' %')}</small></td>"
 
@@ -225,14 +178,14 @@ def _tests(of: str, table: ReportTable) -> str:
     rows = []
     for each in table.tests:
         test = each.test
-        cells = [_row_head(each.players[0]), _text(each.players[1]), _cell(each.pairs)]
-        cells += [_cell(_percent(each.share)), _cell(_signed(each.nelo))]
-        cells += [_text(_minus(test.hypotheses))]
-        ends = _minus(f"{test.lower:.2f} or {test.upper:.2f}")
-        cells.append(f"<td>{_minus(f'{test.llr:.2f}')} <small>ends at {ends}</small></td>")
-        rows.append("".join([*cells, _text(_minus(test.state))]))
+        cells = [row_head(each.players[0]), text_cell(each.players[1]), cell(each.pairs)]
+        cells += [cell(_percent(each.share)), cell(_signed(each.nelo))]
+        cells += [text_cell(minus(test.hypotheses))]
+        ends = minus(f"{test.lower:.2f} or {test.upper:.2f}")
+        cells.append(f"<td>{minus(f'{test.llr:.2f}')} <small>ends at {ends}</small></td>")
+        rows.append("".join([*cells, text_cell(minus(test.state))]))
     title = "Sequential tests. The share of a test that has ended is biased"
-    return _grid(of, title, heads, rows, texts=(1, 5, 7))
+    return grid(of, title, heads, rows, texts=(1, 5, 7))
 
 
 def _bar(share: Share | None) -> str:
@@ -252,13 +205,13 @@ def _cross(of: str, table: ReportTable) -> str:
     names = [row.name for row in table.rows]
     rows = []
     for one in names:
-        cells = [_row_head(one)]
+        cells = [row_head(one)]
         for other in names:
             share = table.cross.get((one, other))
-            cells.append(_cell("" if share is None else _percent(share.value)))
+            cells.append(cell("" if share is None else _percent(share.value)))
         rows.append("".join(cells))
     title = "Share of the points of each player (row) against each other one"
-    return _grid(of, title, ["", *names], rows)
+    return grid(of, title, ["", *names], rows)
 
 
 def _costs(of: str, table: ReportTable) -> str:
@@ -270,10 +223,10 @@ def _costs(of: str, table: ReportTable) -> str:
         seconds = f"{costs.seconds / answers:.3g}" if costs.seconds else "–"
         simulations = f"{costs.simulations / answers:.0f}" if costs.simulations else "–"
         rows.append(
-            _row_head(row.name)
-            + "".join(map(_cell, (costs.decisions, simulations, seconds, costs.refused)))
+            row_head(row.name)
+            + "".join(map(cell, (costs.decisions, simulations, seconds, costs.refused)))
         )
-    return _grid(of, "Costs, and refused answers", heads, rows)
+    return grid(of, "Costs, and refused answers", heads, rows)
 
 
 def _losses(of: str, table: ReportTable) -> str:
@@ -284,8 +237,8 @@ def _losses(of: str, table: ReportTable) -> str:
     rows = []
     for row in table.rows:
         counts = [*(row.losses[reason] for reason in reasons), row.void]
-        rows.append(_row_head(row.name) + "".join(_cell(count or "") for count in counts))
-    return _grid(of, "Lost frames by the reason of their end", heads, rows)
+        rows.append(row_head(row.name) + "".join(cell(count or "") for count in counts))
+    return grid(of, "Lost frames by the reason of their end", heads, rows)
 
 
 def _games(report: Report, *, linked: bool) -> Iterable[str]:
@@ -310,7 +263,7 @@ def _match(number: int, match: ReportMatch, *, linked: bool, is_open: bool) -> s
         rows.append(
             f'<th scope="row">{first}</th>'
             + "".join(f'<td class="text">{escape(name)}</td>' for name in names)
-            + _cell(frame.shots)
+            + cell(frame.shots)
             + f'<td class="text why">{escape(frame.why)}</td>'
         )
     one, other = match.players
@@ -319,7 +272,7 @@ def _match(number: int, match: ReportMatch, *, linked: bool, is_open: bool) -> s
     title = f"{one} – {other}, {len(match.frames)} frames{goes_on}{where}"
     attribute = " open" if is_open else ""
     name = f"match-{number}-title"
-    frames = _scrolling(f'aria-labelledby="{name}"', heads, rows, texts=(1, 2, 3, 5))
+    frames = scrolling(f'aria-labelledby="{name}"', heads, rows, texts=(1, 2, 3, 5))
     summary = f'<summary id="{name}">{escape(title)}</summary>'
     return f"<details{attribute}>{summary}{frames}</details>"
 
@@ -342,57 +295,9 @@ def _packed(name: str, text: str) -> str:
     return f'<script type="text/plain" id="{name}">{data}</script>'
 
 
-def _grid(
-    of: str, title: str, heads: Sequence[str], rows: Sequence[str], texts: Sequence[int] = ()
-) -> str:
-    """A table that scrolls on a narrow screen, with its title above it.
-
-    Args:
-        of: The identifier of the heading above the title.
-        title: The title.
-        heads: The heads of the columns.
-        rows: The cells of each row.
-        texts: The columns with texts, apart from the first one.
-    """
-    name = f"{of}-{re.sub('[^a-z]+', '-', title.lower())}"
-    heading = f'<h3 id="{name}">{escape(title)}</h3>'
-    return heading + _scrolling(f'aria-labelledby="{of} {name}"', heads, rows, texts)
-
-
-def _scrolling(label: str, heads: Sequence[str], rows: Sequence[str], texts: Sequence[int]) -> str:
-    columns = "".join(_head(head, is_text=k == 0 or k in texts) for k, head in enumerate(heads))
-    body = "".join(f"<tr>{row}</tr>" for row in rows)
-    return (
-        f'<div class="wide" role="region" {label} tabindex="0"><table>'
-        f"<thead><tr>{columns}</tr></thead><tbody>{body}</tbody></table></div>"
-    )
-
-
-def _head(text: str, *, is_text: bool) -> str:
-    kind = ' class="text"' if is_text else ""
-    return f'<th scope="col"{kind}>{escape(text)}</th>' if text else "<td></td>"
-
-
-def _row_head(name: str) -> str:
-    return f'<th scope="row">{escape(name)}</th>'
-
-
-def _cell(value: Any) -> str:
-    return f"<td>{escape(str(value))}</td>"
-
-
-def _text(value: str) -> str:
-    return f'<td class="text">{escape(value)}</td>'
-
-
 def _percent(share: float) -> str:
-    return _minus(f"{100 * share:.1f} %")
+    return minus(f"{100 * share:.1f} %")
 
 
 def _signed(elo: float) -> str:
-    return _minus(rating(elo))
-
-
-def _minus(text: str) -> str:
-    """A text whose negative numbers have a minus sign, not a hyphen."""
-    return re.sub(r"(?<!\w)-(?=\d)", "−", text)
+    return minus(rating(elo))

@@ -15,6 +15,8 @@ from carom.cli.values import numbers
 from carom.errors import InputError
 from carom.files import write_whole
 from carom.learn import player_folder
+from carom.learn.report_data import fit_report
+from carom.learn.report_page import write_report
 
 learn = typer.Typer(
     no_args_is_help=True, help="Learn a table and its players from tracks of balls."
@@ -150,6 +152,12 @@ def table(
             help="A number to learn, such as rolling.a; may be repeated. Default: all.",
         ),
     ] = None,
+    report: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FILE.html", help="Write a page: numbers, figures, and every shot simulated."
+        ),
+    ] = None,
     rounds: Annotated[
         int, typer.Option(min=1, help="How often the search for the strikes is repeated.")
     ] = 3,
@@ -159,8 +167,9 @@ def table(
     json: Annotated[bool, typer.Option("--json", help="Print what was learned as JSON.")] = False,
 ) -> None:
     """Learn the physics of a table, its nose lines and the camera's offset from filmed shots."""
+    tracks = tracks_of.read_tracks(file, table=table, radius=radius)
     learned = tracks_of.table(
-        tracks_of.read_tracks(file, table=table, radius=radius),
+        tracks,
         physics=physics,
         free=free,
         rounds=rounds,
@@ -172,6 +181,18 @@ def table(
     learned.save(out)
     emit(learned.to_json() if json else learned.summary())
     say(f"wrote {out}")
+    if report is not None:
+        found = tracks_of.strikes(
+            tracks,
+            learned,
+            starts=starts,
+            seed=seed,
+            threads=threads,
+            progress=sys.stderr.isatty(),
+        )
+        title = f"Table learned from {file.name}"
+        write_report(fit_report(tracks, learned, found), report, title=title)
+        say(f"wrote {report}")
 
 
 @learn.command()

@@ -1,0 +1,161 @@
+"""What a report of a learned table shows of each shot: model and track beside each other."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from carom.lazy import np
+from carom.learn.filmed_strikes import FilmedStrike, strikes
+from carom.learn.observation import Observation, observe
+from carom.learn.posterior import Posterior
+from carom.learn.quality import ShotQuality, check
+from carom.learn.tracks import Tracks
+from carom.trace import Trace
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    Floats = NDArray[np.float64]
+
+#: The model has left the track where it is farther from it than this, m.
+APART = 0.08
+#: A ball moves if it is faster, m/s: slower ones have no direction.
+MOVES = 0.1
+
+
+@dataclass(frozen=True, slots=True)
+class ModelScore:
+    """How well a model foretells shots that it was not fitted to.
+
+    Attributes:
+        model: Its name.
+        score: Held-out log score; higher is better.
+        standard_error: Standard error of the score.
+    """
+
+    model: str
+    score: float
+    standard_error: float
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class ShotFit:
+    """A filmed shot beside the simulation of its strike.
+
+    Attributes:
+        name: The shot.
+        strike: Its strike.
+        trace: The simulation.
+        time: Of the pictures, s since the strike, shape (n,); some are before it.
+        track: Places of each ball on the table, m, shape (n, 2); NaN while it was not seen.
+        model: The same of the simulation, without NaN.
+        left_at: When the model is 8 cm from the track for the first time, s since the strike; None
+            if it never is.
+        quality: What ``check`` says of the shot.
+    """
+
+    name: str
+    strike: FilmedStrike
+    trace: Trace
+    time: Floats
+    track: Mapping[str, Floats]
+    model: Mapping[str, Floats]
+    left_at: float | None
+    quality: ShotQuality
+
+    @property
+    def end(self) -> float:
+        """Time until which the model is on the track, s since the strike."""
+        return float(self.time[-1]) if self.left_at is None else self.left_at
+
+    def errors(self) -> Floats:
+        """Model minus track of the moving balls while the model is on the track.
+
+        Returns:
+            Shape (n, 3): time since the strike, s; the part along the way of the track, m, positive
+            where the model is ahead; and the part across it, m, positive to the left.
+        """
+        rows = []
+        for ball, track in self.track.items():
+            velocity = np.gradient(track, self.time, axis=0)
+            speed = np.hypot(*velocity.T)
+            chosen = (speed > MOVES) & (self.time > 0.0) & (self.time < self.end)
+            if not chosen.any():
+                continue
+            way = velocity[chosen] / speed[chosen, None]
+            error = (self.model[ball] - track)[chosen]
+            along = (error * way).sum(axis=1)
+            across = way[:, 0] * error[:, 1] - way[:, 1] * error[:, 0]
+            rows.append(np.column_stack((self.time[chosen], along, across)))
+        return np.concatenate(rows) if rows else np.empty((0, 3))
+
+
+@dataclass(frozen=True, slots=True, eq=False)
+class FitReport:
+    """A learned table, and its model beside every filmed shot.
+
+    Attributes:
+        posterior: What was learned.
+        shots: The shots whose strike was found, in the order of the tracks.
+        missing: Names of the shots without a strike.
+        models: Models that were compared; empty if none were.
+    """
+
+    posterior: Posterior
+    shots: tuple[ShotFit, ...]
+    missing: tuple[str, ...]
+    models: tuple[ModelScore, ...] = ()
+
+
+def fit_report(
+    tracks: Tracks,
+    posterior: Posterior,
+    found: Sequence[FilmedStrike] | None = None,
+    models: Iterable[ModelScore] = (),
+    *,
+    starts: int = 40,
+    threads: int | None = None,
+    progress: bool = False,
+) -> FitReport:
+    """Simulate the strikes of filmed shots, and compare them with their tracks.
+
+    Args:
+        tracks: The filmed shots.
+        posterior: What was learned from them.
+        found: Their strikes; None searches them (``carom.learn.strikes``).
+        models: A comparison of models, if there is one.
+        starts: Starts of the search for a strike.
+        threads: Number of threads of the search; None for all cores.
+        progress: Whether to show the progress of the search on stderr.
+
+    Raises:
+        InputError: A shot has no motion.
+    """
+    if found is None:
+        found = strikes(tracks, posterior, starts=starts, threads=threads, progress=progress)
+    qualities = {quality.name: quality for quality in check(tracks).shots}
+    by_name = {strike.name: strike for strike in found}
+    shots = tuple(
+        _shot(observe(tracked), posterior, by_name[tracked.name], qualities[tracked.name])
+        for tracked in tracks
+        if tracked.name in by_name
+    )
+    missing = tuple(tracked.name for tracked in tracks if tracked.name not in by_name)
+    return FitReport(posterior, shots, missing, tuple(models))
+
+
+def _shot(
+    observed: Observation, posterior: Posterior, strike: FilmedStrike, quality: ShotQuality
+) -> ShotFit:
+    trace = strike.shot.simulate()
+    time = observed.time - strike.clock
+    places = trace.at(np.maximum(time, 0.0)).position[:, :, :2]
+    model = {ball: places[:, index] for index, ball in enumerate(strike.shot.ids)}
+    size = posterior.model.size(posterior.mean)
+    track = {ball: posterior.frame.to_table(seen, size) for ball, seen in observed.position.items()}
+    distance = np.array([np.hypot(*(model[ball] - track[ball]).T) for ball in track])
+    apart = np.flatnonzero((distance > APART).any(axis=0))
+    left_at = float(time[apart[0]]) if apart.size else None
+    return ShotFit(observed.name, strike, trace, time, track, model, left_at, quality)
