@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 WIDTH, HEIGHT = 440, 290
 #: Room for the axes, px: left, right, top, bottom.
 _LEFT, _RIGHT, _TOP, _BOTTOM = 56, 12, 14, 46
-#: About so many ticks.
+#: About the number of ticks of an axis.
 _TICKS = 5
 
 STYLE = """

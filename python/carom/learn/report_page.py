@@ -112,7 +112,7 @@ def _digits(width: float) -> int:
 def _unknown(posterior: Posterior) -> str:
     sentences = posterior.unknown()
     if not sentences:
-        return "<p>Every number is told, and no two of them trade off.</p>"
+        return "<p>These shots determine every number, and no two numbers trade off.</p>"
     items = "".join(f"<li>{escape(minus(sentence))}</li>" for sentence in sentences)
     return f'<ul class="sentences note">{items}</ul>'
 
