@@ -140,3 +140,16 @@ def test_shots_without_motion_are_named() -> None:
 def test_an_unknown_number_is_refused(filmed: learn.SyntheticTracks) -> None:
     with pytest.raises(InputError, match=r"cannot be learned"):
         learn.table(filmed.tracks, free=["cloth.colour"])
+
+
+def test_a_number_at_its_upper_bound_is_learned() -> None:
+    """Balls without loss: a step of the restitution upwards would leave its range."""
+    physics = {"base": "carom", "ball_ball": {"restitution": 1.0}}
+    shots = [
+        carom.Shot.from_dict(s.to_dict() | {"physics": physics}) for s in three_cushion_shots(3)
+    ]
+    film = learn.synthetic(shots, sigma=0.001, clock_offset=0.3)
+    found = learn.table(
+        film.tracks, physics=physics, free=["ball_ball.restitution"], rounds=1, starts=6
+    )
+    assert 0.9 < found.mean[0] <= 1.0

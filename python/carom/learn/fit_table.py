@@ -208,13 +208,17 @@ class _Joint:
         vector = refined[0]
         here, by_strike = levenberg.derivatives(at, vector[None], np.array(STEPS))
         tracks = observed.until(horizon)
-        changed = self.vector + levenberg.STEP * 20.0 * np.diag(model.steps)
+        size = levenberg.STEP * 20.0
+        ahead = self.vector + size * model.steps
+        # A number at its upper bound takes the step down: no shot has a restitution above 1.
+        step = np.where(model.clip(ahead) < ahead, -size, size)
+        changed = self.vector + np.diag(step * model.steps)
         shots, frames = zip(*(model.shot(observed, row) for row in changed), strict=True)
         repeated = np.repeat(vector[None], len(shots), axis=0)
         found = residuals([*shots], repeated, tracks, [*frames], self.threads)
         size = found.shape[1]
         here, by_strike = here[0, :size], by_strike[0, :, :size]
-        slopes = np.concatenate((by_strike, (found - here) / (levenberg.STEP * 20.0)))
+        slopes = np.concatenate((by_strike, (found - here) / step[:, None]))
         if not np.isfinite(slopes).all():
             return None
         sigma = np.repeat(SIGMA[0] + SIGMA[1] * tracks.time, 2)
