@@ -143,13 +143,31 @@ def test_an_unknown_number_is_refused(filmed: learn.SyntheticTracks) -> None:
 
 
 def test_a_number_at_its_upper_bound_is_learned() -> None:
-    """Balls without loss: a step of the restitution upwards would leave its range."""
+    """Balls without loss: a step of their restitution upwards would leave its range."""
     physics = {"base": "carom", "ball_ball": {"restitution": 1.0}}
+    balls = {"1": (0.5, 0.6), "2": (0.9, 1.6), "3": (0.3, 2.6)}
     shots = [
-        carom.Shot.from_dict(s.to_dict() | {"physics": physics}) for s in three_cushion_shots(3)
+        carom.Shot(
+            "carom-10ft",
+            balls,
+            {"ball": "1", "speed": speed, "azimuth_deg": 68.2 + turn, "elevation_deg": 4.0},
+            physics=physics,
+        )
+        for speed, turn in ((1.2, -1.2), (1.5, 0.9), (1.8, 1.3))
     ]
     film = learn.synthetic(shots, sigma=0.001, clock_offset=0.3)
-    found = learn.table(
-        film.tracks, physics=physics, free=["ball_ball.restitution"], rounds=1, starts=6
+    free = ["ball_ball.restitution"]
+    found = learn.table(film.tracks, physics=physics, free=free, rounds=1, starts=6)
+    assert 0.97 < found.mean[0] <= 1.0
+
+
+def test_a_number_of_which_no_shot_tells_has_the_width_of_its_prior() -> None:
+    shot = carom.Shot(
+        "carom-10ft",
+        {"1": (0.5, 0.6), "2": (1.2, 2.6)},
+        {"ball": "1", "speed": 0.8, "azimuth_deg": 100.0, "elevation_deg": 4.0},
     )
-    assert 0.9 < found.mean[0] <= 1.0
+    film = learn.synthetic([shot, shot], sigma=0.001, clock_offset=0.3)
+    found = learn.table(film.tracks, free=["ball_ball.restitution"], rounds=1, starts=6)
+    assert found.sigma[0] == pytest.approx(10.0 * found.model.steps[0], rel=0.01)
+    assert "do not tell" in found.summary()

@@ -208,10 +208,10 @@ class _Joint:
         vector = refined[0]
         here, by_strike = levenberg.derivatives(at, vector[None], np.array(STEPS))
         tracks = observed.until(horizon)
-        size = levenberg.STEP * 20.0
-        ahead = self.vector + size * model.steps
+        length = levenberg.STEP * 20.0
+        ahead = self.vector + length * model.steps
         # A number at its upper bound takes the step down: no shot has a restitution above 1.
-        step = np.where(model.clip(ahead) < ahead, -size, size)
+        step = np.where(model.clip(ahead) < ahead, -length, length)
         changed = self.vector + np.diag(step * model.steps)
         shots, frames = zip(*(model.shot(observed, row) for row in changed), strict=True)
         repeated = np.repeat(vector[None], len(shots), axis=0)

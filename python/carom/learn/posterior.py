@@ -82,7 +82,7 @@ class Posterior:
         """
         shots, size = gradients.shape
         total = curvatures.sum(axis=0)
-        ridge = np.eye(size) * 1e-9 * np.trace(total)
+        ridge = np.eye(size) * 1e-9 * (1.0 + np.trace(total))
         moves = np.linalg.solve(total - curvatures + ridge, gradients[:, :, None])[:, :, 0]
         scatter = moves.T @ moves * ((shots - 1) / shots)
         # A direction along which no shot moves the numbers has no information either.
