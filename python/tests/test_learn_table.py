@@ -11,6 +11,7 @@ import pytest
 from carom import learn
 from carom.errors import CaromError, InputError
 from carom.learn.table_model import TableModel
+from scipy import stats
 
 TRUTH = {
     "base": "carom",
@@ -171,3 +172,21 @@ def test_a_number_of_which_no_shot_tells_has_the_width_of_its_prior() -> None:
     found = learn.table(film.tracks, free=["ball_ball.restitution"], rounds=1, starts=6)
     assert found.sigma[0] == pytest.approx(10.0 * found.model.steps[0], rel=0.01)
     assert "do not tell" in found.summary()
+
+
+@pytest.mark.parametrize(("weights", "freedom"), [([1.0] * 8, 7.0), ([1.0, 1e-4, 1e-4], 1.0)])
+def test_an_interval_is_wider_where_few_shots_tell_most(
+    weights: list[float], freedom: float
+) -> None:
+    """Against Student's t; n equal shots have n − 1 degrees of freedom, one heavy shot has one."""
+    model = TableModel("carom-10ft", "carom", FREE[:1])
+    curvatures = np.array(weights).reshape(-1, 1, 1)
+    gradients = np.array([1e-3, -1e-3] + [0.0] * (len(weights) - 2))[:, None]
+    found = learn.Posterior.of(model, model.start, 1e4 * curvatures, gradients)
+    low, high = found.interval(FREE[0])
+    shots = len(weights)
+    rest = 1e4 * (sum(weights) - curvatures[:, 0, 0])
+    scatter = ((gradients[:, 0] / rest) ** 2).sum() * (shots - 1) / shots
+    scatter += 1.0 / (1e4 * sum(weights))
+    expected = stats.t.ppf(0.95, freedom) * math.sqrt(scatter) * model.steps[0]
+    assert (high - low) / 2.0 == pytest.approx(expected, rel=0.06)
