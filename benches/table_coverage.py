@@ -73,7 +73,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--tables", type=int, default=100, help="tables for each cushion model")
     parser.add_argument("--films", nargs="*", choices=FILMED, default=FILMED, metavar="MODEL")
-    parser.add_argument("--again", action="store_true", help="begin anew")
+    parser.add_argument("--again", action="store_true", help="learn the stored tables too")
     options = parser.parse_args()
     rows: list[dict[str, Any]] = []
     if STORED.is_file() and not options.again:
