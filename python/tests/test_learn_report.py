@@ -9,8 +9,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 from carom import learn
+from carom.learn import FitReport, ModelScore, fit_report
 from carom.learn.report_curves import coefficients, rolling_deceleration, throw
-from carom.learn.report_data import FitReport, ModelScore, fit_report
 from carom.learn.report_page import report_html
 from carom.learn.table_model import TableModel
 from tests.test_learn_table import three_cushion_shots

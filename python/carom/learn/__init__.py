@@ -25,6 +25,7 @@ from carom.learn.posterior import LearnedTable, Posterior
 from carom.learn.quality import ShotQuality, TracksReport, check
 from carom.learn.read import read_tracks
 from carom.learn.recordings import cut_into_shots
+from carom.learn.report_data import FitReport, ModelScore, ShotFit, fit_report
 from carom.learn.segment import Run, Segments, segment
 from carom.learn.synthetic import SyntheticTracks, TrueContact, synthetic
 from carom.learn.table_model import PARAMETERS, Frame, Parameter
@@ -38,9 +39,11 @@ __all__ = [
     "FileFrame",
     "FilmedStrike",
     "Finding",
+    "FitReport",
     "Frame",
     "Intentions",
     "LearnedTable",
+    "ModelScore",
     "Parameter",
     "PlayedStrike",
     "PlayerChances",
@@ -48,6 +51,7 @@ __all__ = [
     "Posterior",
     "Run",
     "Segments",
+    "ShotFit",
     "ShotQuality",
     "SyntheticTracks",
     "TrackedBall",
@@ -59,6 +63,7 @@ __all__ = [
     "check",
     "cut_into_shots",
     "find_intentions",
+    "fit_report",
     "player",
     "players",
     "read_players",

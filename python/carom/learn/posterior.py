@@ -189,7 +189,7 @@ class Posterior:
         Args:
             path: The file.
             tracks: The shots from which the table was learned.
-            options: Those of ``carom.learn.report_data.fit_report``, such as ``found``.
+            options: Those of ``carom.learn.fit_report``, such as ``found``.
 
         Raises:
             OSError: The file cannot be written.
