@@ -37,8 +37,11 @@ REACH = 2.0
 SETTLED = 0.02
 #: Most steps of a round.
 ITERATIONS = 8
-#: Share of the curvature, and curvature, that damp a step.
-DAMPING = (0.002, 0.5)
+#: Share of the curvature that damps a step.
+DAMPING = 0.02
+#: Curvature of the prior about the start, in units of a parameter's step. The samples of a shot are
+#: far from independent, so their curvature is far too large, and so is this one.
+PRIOR = 20.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,11 +157,11 @@ class _Joint:
                     "no shot could be explained for as long as 0.8 s",
                     "check the table, the radius, the unit and the axes (carom learn check)",
                 )
-            curvature = sum(part.curvature for part in used)
-            gradient = sum(part.gradient for part in used)
-            share, floor = DAMPING
-            diagonal = np.diag(np.diag(curvature) * share + floor)
-            step = np.linalg.solve(curvature + diagonal, gradient)
+            away = (self.vector - self.model.start) / self.model.steps
+            curvature = sum(part.curvature for part in used) + PRIOR * np.eye(away.size)
+            gradient = sum(part.gradient for part in used) + PRIOR * away
+            damping = np.diag(np.diag(curvature) * DAMPING)
+            step = np.linalg.solve(curvature + damping, gradient)
             move = np.clip(step, -REACH, REACH) * self.model.steps
             self.vector = self.model.clip(self.vector - move)
             for index, part in enumerate(parts):
@@ -244,7 +247,7 @@ class _Joint:
 def fit_error(problem: StrikeProblem, vector: Floats) -> tuple[float, float]:
     """Root mean square distance of model and track, m: over the whole time, and the first 3 s."""
     end = problem.observed.end
-    found = problem.residuals(end)(vector[None])[0, :-1].reshape(-1, 2)
     time = problem.observed.until(end).time
+    found = problem.residuals(end)(vector[None])[0, : 2 * time.size].reshape(-1, 2)
     early = found[time <= problem.observed.first_move + 3.0]
     return root_mean_square(found), root_mean_square(early)

@@ -23,8 +23,9 @@ RATE = 25.0
 PAUSE = 0.1
 #: The first picture in which a ball has moved is at most so long after the strike, s.
 LONGEST_START = 0.1
-#: Error of a picture's time, s.
-CLOCK_ERROR = 0.01
+#: Largest error of a picture's time at the strike, s: a tracker that smooths shows the first motion
+#: two or three pictures late.
+CLOCK_ERROR = 0.05
 #: Distance from which a ball has moved, m: several times a camera's noise.
 MOVED = 0.015
 
@@ -56,12 +57,13 @@ class Observation:
         """The earliest and the latest time of the strike, s.
 
         The strike is after the last picture in which the ball lies at rest, and before the first
-        one in which it has moved. A camera's clock may be wrong by a part of a picture.
+        one in which it has moved, but for ``CLOCK_ERROR`` of the camera's clock.
         """
         time = self.samples[self.struck].time - self.samples[self.struck].time[0]
         before = time[time < self.first_move - 1e-9]
         last = float(before[-1]) if before.size else 0.0
-        return max(last, self.first_move - LONGEST_START) - CLOCK_ERROR, self.first_move
+        earliest = max(last, self.first_move - LONGEST_START)
+        return earliest - CLOCK_ERROR, self.first_move + CLOCK_ERROR
 
     @property
     def end(self) -> float:

@@ -34,9 +34,16 @@ LARGEST_SPEED = 12.0
 #: costs as much as an error of 0.05 m in one coordinate of one picture.
 PLAIN_ELEVATION = 0.05
 PLAIN_WEIGHT = 0.05
+#: A useful step of a place of rest, m, if it is free.
+REST_STEP = 0.001
+#: A place of rest that is one standard deviation away costs as much as an error of so many metres
+#: in one coordinate of one picture: that of ``SCALE``, so that it pays only if it helps for long.
+REST_WEIGHT = 0.03
 #: The first horizon of a search, s, and its growth.
 FIRST_HORIZON = 0.8
 GROWTH = 1.5
+#: So many strikes are kept at least while the horizon grows.
+FEWEST = 6
 #: Scale of the robust loss while the horizon grows, m.
 SCALE = 0.03
 
@@ -49,27 +56,50 @@ class StrikeProblem:
         shot: The balls as they lay.
         frame: Where the tracks lie on the table.
         threads: Threads of the engine.
+        rest: Standard deviation of the places where the balls lay, m; they are then part of a
+            vector, behind the numbers of the strike, as displacements in x and y of each ball. None
+            takes the places as they were seen.
     """
 
     def __init__(
-        self, observed: Observation, shot: Shot, frame: Frame, threads: int | None = None
+        self,
+        observed: Observation,
+        shot: Shot,
+        frame: Frame,
+        threads: int | None = None,
+        rest: float | None = None,
     ) -> None:
         self.observed = observed
         self.shot = shot
         self.frame = frame
         self.threads = threads
+        self.rest = rest
+        self.places = np.array([ball["position"][:2] for ball in shot.to_dict()["balls"]])
+
+    @property
+    def steps(self) -> Floats:
+        """A useful step of each number of a vector."""
+        rest = [] if self.rest is None else [REST_STEP] * self.places.size
+        return np.array([*STEPS, *rest])
 
     def residuals(self, horizon: float) -> Callable[[Floats], Floats]:
-        """The function from vectors, (n, 6), to model minus track, m, (n, m), up to a time."""
+        """The function from vectors, (n, p), to model minus track, m, (n, m), up to a time.
+
+        The last columns are the prior's. A vector of the strike's numbers alone takes the balls
+        where they were seen.
+        """
         tracks = self.observed.until(horizon)
 
         def at(vectors: Floats) -> Floats:
-            found = residuals(self.shot, vectors, tracks, self.frame, self.threads)
+            strike, moved = np.split(vectors, [len(STEPS)], axis=1)
+            places = self.places + moved.reshape(len(moved), -1, 2) if moved.size else None
+            found = residuals(self.shot, strike, tracks, self.frame, self.threads, places)
             low, high = self.observed.strike_time
-            clock = vectors[:, -1]
+            clock = strike[:, -1]
             found[(clock < low) | (clock > high)] = np.nan
-            tilt = PLAIN_WEIGHT * (np.abs(vectors[:, 4:5]) - PLAIN_ELEVATION)
-            return np.concatenate((found, tilt), axis=1)
+            tilt = PLAIN_WEIGHT * (np.abs(strike[:, 4:5]) - PLAIN_ELEVATION)
+            away = moved * (REST_WEIGHT / self.rest) if self.rest else moved
+            return np.concatenate((found, tilt, away), axis=1)
 
         return at
 
@@ -92,6 +122,7 @@ def residuals(
     tracks: BallTracks,
     frame: Frame | list[Frame],
     threads: int | None,
+    places: Floats | None = None,
 ) -> Floats:
     """Model minus track, m, for strikes of one shot or of one shot each.
 
@@ -101,6 +132,7 @@ def residuals(
         tracks: What was seen.
         frame: Where the tracks lie on the table; a list has one for each vector.
         threads: Threads of the engine.
+        places: Where the balls lay, m, shape (n, balls, 2); None is where the shots have them.
 
     Returns:
         Shape (n, m); NaN for a strike that cannot be.
@@ -122,7 +154,7 @@ def residuals(
     }
     frames = frame if isinstance(frame, list) else [frame]
     found = track_residuals(
-        Candidates(shots, strike=strike),
+        Candidates(shots, strike=strike, position=places),
         tracks,
         clock=clock,
         offset=np.array([one.offset for one in frames]),
@@ -134,7 +166,7 @@ def residuals(
 
 
 def search(problem: StrikeProblem, starts: int, seed: int, keep: int = 4) -> tuple[Floats, Floats]:
-    """The best strikes of a shot from many starts: vectors, (n, 6), and sums of squares, m².
+    """The best strikes of a shot from many starts: vectors, (n, p), and sums of squares, m².
 
     The azimuth and the speed begin at what the first pictures show; the tip's offset and the
     elevation are drawn. The horizon grows: after a contact the sum of squares has many narrow
@@ -161,30 +193,33 @@ def search(problem: StrikeProblem, starts: int, seed: int, keep: int = 4) -> tup
     vectors, cost = levenberg.refine(
         problem.residuals(horizon), vectors, steps, iterations=6, scale=0.02
     )
+    # The first pictures do not tell where the balls lay.
+    steps = problem.steps
+    vectors = np.pad(vectors, ((0, 0), (0, steps.size - len(STEPS))))
     while horizon < end:
         share = FIRST_HORIZON / (horizon - begin)
-        vectors = _distinct(vectors, cost, max(6, int(starts * share)))
+        vectors = _distinct(vectors, cost, steps, max(FEWEST, int(starts * share)))
         horizon = min(begin + (horizon - begin) * GROWTH, end)
         vectors, cost = levenberg.refine(
             problem.residuals(horizon), vectors, steps, iterations=8, scale=SCALE
         )
-    vectors = _distinct(vectors, cost, keep)
+    vectors = _distinct(vectors, cost, steps, keep)
     vectors, cost = levenberg.refine(problem.residuals(end), vectors, steps, iterations=15)
     order = np.argsort(cost, kind="stable")
     order = order[np.isfinite(cost[order])]
     return vectors[order], cost[order]
 
 
-def _distinct(vectors: Floats, cost: Floats, count: int) -> Floats:
+def _distinct(vectors: Floats, cost: Floats, steps: Floats, count: int) -> Floats:
     """The best vectors that are not the same minimum as a better one."""
     chosen: list[Floats] = []
     for index in np.argsort(cost, kind="stable"):
         if not np.isfinite(cost[index]) or len(chosen) == count:
             break
-        scaled = vectors[index] / np.array(STEPS)
+        scaled = vectors[index] / steps
         if all(((scaled - other) ** 2).sum() > 0.05 for other in chosen):
             chosen.append(scaled)
-    kept: Floats = np.array(chosen).reshape(-1, len(STEPS)) * np.array(STEPS)
+    kept: Floats = np.array(chosen).reshape(-1, steps.size) * steps
     return kept
 
 
