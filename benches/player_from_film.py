@@ -187,7 +187,7 @@ def by_place(found: learn.FilmedStrike, observed: Observation, vector: Floats) -
         ball["position"][axis] += MOVE
         shots.append(carom.Shot.from_dict(moved))
     here, *there = residuals(
-        shots, np.repeat(vector[None], 3, axis=0), observed.until(observed.end), Frame(), None
+        shots, np.repeat(vector[None], 3, axis=0), observed.until(observed.end), Frame()
     )
     return np.array([(one - here) / MOVE for one in there])
 

@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
+from collections import deque
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor
 from threading import Event, Thread
+from typing import TypeVar
+
+T = TypeVar("T")
+R = TypeVar("R")
 
 
 def startable(count: int) -> int:
@@ -22,3 +29,27 @@ def startable(count: int) -> int:
         for thread in started:
             thread.join()
     return len(started)
+
+
+def in_order(call: Callable[[T], R], items: Iterable[T], threads: int) -> Iterator[R]:
+    """Call a function for all items on several threads; yield the results in order.
+
+    Only a few calls wait at any time, so that Ctrl-C ends soon and long ranges need no memory.
+    """
+    if threads > 1:
+        threads = startable(threads)
+    if threads < 2:
+        yield from map(call, items)
+        return
+    pending: deque[Future[R]] = deque()
+    with ThreadPoolExecutor(threads) as pool:
+        try:
+            for item in items:
+                pending.append(pool.submit(call, item))
+                if len(pending) > 2 * threads:
+                    yield pending.popleft().result()
+            while pending:
+                yield pending.popleft().result()
+        finally:
+            for future in pending:
+                future.cancel()

@@ -6,19 +6,25 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from carom.arguments import whole
+from carom.arguments import cores, number, whole
+from carom.errors import InputError
 from carom.lazy import np
 from carom.learn.fit_table import fit_error
 from carom.learn.observation import Observation, observe
 from carom.learn.posterior import Posterior
-from carom.learn.strike_search import StrikeProblem, search
+from carom.learn.strike_posterior import strike_samples
+from carom.learn.strike_search import STEPS, StrikeProblem, search
 from carom.learn.table_model import POLICIES, TableModel
-from carom.learn.tracks import Tracks
+from carom.learn.tracks import TrackedShot, Tracks
 from carom.progress import progress_bar
 from carom.shot import Shot
+from carom.threads import in_order
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
+
+#: Largest standard deviation of a place of rest, m: half a ball.
+LARGEST_REST = 0.03
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -31,6 +37,8 @@ class FilmedStrike:
         clock: Time of the strike after the first picture, s.
         rmse: Root mean square distance of model and track over all balls and the whole time, m.
         rmse_3s: The same for the first three seconds after the ball moves.
+        samples: Draws from the posterior of the strike, shape (200, 6), with the columns of
+            ``others``; see ``carom.learn.strike_posterior``.
         others: Further strikes that explain it, from the second best on: shape (n, 6), the columns
             azimuth (rad), speed (m/s), side, height (ball radii), elevation (rad) and clock (s).
     """
@@ -40,6 +48,7 @@ class FilmedStrike:
     clock: float
     rmse: float
     rmse_3s: float
+    samples: NDArray[np.float64] = field(repr=False)
     others: NDArray[np.float64] = field(repr=False)
 
     def to_dict(self) -> dict[str, Any]:
@@ -59,6 +68,7 @@ def strikes(
     *,
     table: str | Mapping[str, Any] | None = None,
     physics: str | Mapping[str, Any] | None = None,
+    rest: float | None = None,
     starts: int = 40,
     seed: int = 0,
     threads: int | None = None,
@@ -71,8 +81,11 @@ def strikes(
         learned: The table, as ``carom.learn.table`` found it.
         table: Without ``learned``: the table as a shot file has it; None is that of the tracks.
         physics: Without ``learned``: its physics; None is the one that belongs to the table.
+        rest: Standard deviation of the places where the balls lay, m, such as 0.0015: they are then
+            found with the strike, and the shot has the balls there. None takes the places that were
+            seen.
         starts: Starts of the search for each strike.
-        seed: Seed of the starts.
+        seed: Seed of the starts, and of the samples.
         threads: Number of threads; None for all cores. The result does not depend on it.
         progress: Whether to show the progress on stderr.
 
@@ -80,32 +93,47 @@ def strikes(
         The strikes in the order of the shots. A shot for which none was found is missing.
 
     Raises:
-        InputError: There is no table, or a shot has no motion.
+        InputError: There is no table, a shot has no motion, or ``rest`` is out of range.
     """
     whole("starts", starts, low=4)
+    if rest is not None:
+        rest = number("rest", rest)
+        if not 0.0 < rest <= LARGEST_REST:
+            raise InputError(
+                "out-of-range",
+                "rest",
+                f"{rest:g} m is not the error of a place where a ball lay",
+                f"give metres above 0, up to {LARGEST_REST:g}, such as 0.0015",
+            )
     if learned is None:
         model = TableModel.of(tracks.header, table, physics, ())
         vector = model.start
     else:
         model, vector = learned.model, learned.mean
+
+    def find(tracked: TrackedShot) -> FilmedStrike | None:
+        observed = observe(tracked)
+        shot, frame = model.shot(observed, vector)
+        problem = StrikeProblem(observed, shot, frame, rest)
+        vectors, _ = search(problem, starts, seed)
+        return _filmed(observed, problem, vectors, seed) if len(vectors) else None
+
     found = []
     with progress_bar(len(tracks), show=progress, what="strikes") as done:
-        for tracked in tracks:
-            observed = observe(tracked)
-            shot, frame = model.shot(observed, vector)
-            problem = StrikeProblem(observed, shot, frame, threads)
-            vectors, _ = search(problem, starts, seed)
-            if len(vectors):
-                found.append(_filmed(observed, problem, vectors))
+        for one in in_order(find, tracks, cores(threads)):
+            if one is not None:
+                found.append(one)
             done(1)
     return found
 
 
 def _filmed(
-    observed: Observation, problem: StrikeProblem, vectors: NDArray[np.float64]
+    observed: Observation, problem: StrikeProblem, vectors: NDArray[np.float64], seed: int
 ) -> FilmedStrike:
-    azimuth, speed, side, height, elevation, clock = vectors[0].tolist()
+    azimuth, speed, side, height, elevation, clock = vectors[0, : len(STEPS)].tolist()
     file = problem.shot.to_dict()
+    for ball, moved in zip(file["balls"], vectors[0, len(STEPS) :].reshape(-1, 2), strict=False):
+        ball["position"] = [*(np.array(ball["position"][:2]) + moved), *ball["position"][2:]]
     file["strike"] = {
         **POLICIES,
         "ball": observed.struck,
@@ -116,4 +144,6 @@ def _filmed(
         "height": height,
     }
     rmse, early = fit_error(problem, vectors[0])
-    return FilmedStrike(observed.name, Shot.from_dict(file), clock, rmse, early, vectors[1:])
+    samples = strike_samples(problem, vectors[0], seed)
+    others = vectors[1:, : len(STEPS)]
+    return FilmedStrike(observed.name, Shot.from_dict(file), clock, rmse, early, samples, others)

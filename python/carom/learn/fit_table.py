@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
+from carom.arguments import cores
 from carom.errors import InputError
 from carom.lazy import np
 from carom.learn import levenberg
@@ -15,6 +16,7 @@ from carom.learn.strike_search import STEPS, StrikeProblem, residuals, root_mean
 from carom.learn.table_model import TableModel
 from carom.learn.tracks import Tracks
 from carom.progress import progress_bar
+from carom.threads import in_order
 
 if TYPE_CHECKING:
     from numpy.typing import NDArray
@@ -122,33 +124,36 @@ class _Joint:
         self.model = model
         self.starts = starts
         self.seed = seed
-        self.threads = threads
+        self.threads = cores(threads)
         self.vector = model.start
         self.strikes: list[Floats | None] = [None] * len(observed)
 
     def problem(self, index: int) -> StrikeProblem:
         shot, frame = self.model.shot(self.observed[index], self.vector)
-        return StrikeProblem(self.observed[index], shot, frame, self.threads)
+        return StrikeProblem(self.observed[index], shot, frame)
 
     def search_strikes(self, turn: int, done: Callable[[int], object]) -> None:
         """Looks for a better strike of every shot."""
-        for index, observed in enumerate(self.observed):
-            problem = self.problem(index)
+
+        def better(index: int) -> Floats | None:
+            problem, old = self.problem(index), self.strikes[index]
             found, cost = search(problem, self.starts, self.seed + 1000 * turn + index)
-            old = self.strikes[index]
             if old is not None:
-                again, cost_again = levenberg.refine(
-                    problem.residuals(observed.end), old[None], np.array(STEPS), iterations=12
-                )
+                at = problem.residuals(self.observed[index].end)
+                again, cost_again = levenberg.refine(at, old[None], problem.steps, iterations=12)
                 found, cost = np.concatenate((again, found)), np.append(cost_again, cost)
-            if cost.size and np.isfinite(cost.min()):
-                self.strikes[index] = found[cost.argmin()]
+            return found[cost.argmin()] if np.isfinite(cost).any() else old
+
+        strikes = []
+        for strike in in_order(better, range(len(self.observed)), self.threads):
+            strikes.append(strike)
             done(1)
+        self.strikes = strikes
 
     def settle(self) -> None:
         """Takes steps of the free numbers until they change little."""
         for _ in range(ITERATIONS):
-            parts = [self.part(index) for index in range(len(self.observed))]
+            parts = self.parts()
             used = [part for part in parts if part is not None]
             if not used:
                 raise InputError(
@@ -162,28 +167,29 @@ class _Joint:
             gradient = sum(part.gradient for part in used) + PRIOR * away
             damping = np.diag(np.diag(curvature) * DAMPING)
             step = np.linalg.solve(curvature + damping, gradient)
+            self.strikes = [
+                strike if part is None else part.vector
+                for strike, part in zip(self.strikes, parts, strict=True)
+            ]
             move = np.clip(step, -REACH, REACH) * self.model.steps
             self.vector = self.model.clip(self.vector - move)
-            for index, part in enumerate(parts):
-                self.follow(index, part)
+            self.strikes = [*in_order(self.followed, range(len(parts)), self.threads)]
             if np.abs(step).max() < SETTLED:
                 break
 
-    def follow(self, index: int, part: _Part | None) -> None:
-        """Moves a strike to its minimum under the new numbers."""
-        start = self.strikes[index] if part is None else part.vector
+    def followed(self, index: int) -> Floats | None:
+        """A strike at its minimum under the new numbers."""
+        start = self.strikes[index]
         if start is None:
-            return
+            return None
         problem = self.problem(index)
-        found, cost = levenberg.refine(
-            problem.residuals(self.observed[index].end),
-            start[None],
-            np.array(STEPS),
-            iterations=6,
-            scale=0.05,
-        )
-        if np.isfinite(cost[0]):
-            self.strikes[index] = found[0]
+        at = problem.residuals(self.observed[index].end)
+        found, cost = levenberg.refine(at, start[None], problem.steps, iterations=6, scale=0.05)
+        return found[0] if np.isfinite(cost[0]) else start
+
+    def parts(self) -> list[_Part | None]:
+        """What every shot says about the free numbers."""
+        return [*in_order(self.part, range(len(self.observed)), self.threads)]
 
     def horizon(self, index: int, vector: Floats) -> float:
         """The time at which the model leaves the track, s."""
@@ -218,7 +224,7 @@ class _Joint:
         changed = self.vector + np.diag(step * model.steps)
         shots, frames = zip(*(model.shot(observed, row) for row in changed), strict=True)
         repeated = np.repeat(vector[None], len(shots), axis=0)
-        found = residuals([*shots], repeated, tracks, [*frames], self.threads)
+        found = residuals([*shots], repeated, tracks, [*frames])
         size = found.shape[1]
         here, by_strike = here[0, :size], by_strike[0, :, :size]
         slopes = np.concatenate((by_strike, (found - here) / step[:, None]))
@@ -237,8 +243,7 @@ class _Joint:
 
     def posterior(self) -> Posterior:
         """The numbers, and their covariance from the scatter between shots."""
-        parts = [self.part(index) for index in range(len(self.observed))]
-        used = [part for part in parts if part is not None]
+        used = [part for part in self.parts() if part is not None]
         curvatures = np.array([part.curvature for part in used])
         gradients = np.array([part.gradient for part in used])
         return Posterior.of(self.model, self.vector, curvatures, gradients)

@@ -55,7 +55,6 @@ class StrikeProblem:
         observed: What was seen.
         shot: The balls as they lay.
         frame: Where the tracks lie on the table.
-        threads: Threads of the engine.
         rest: Standard deviation of the places where the balls lay, m; they are then part of a
             vector, behind the numbers of the strike, as displacements in x and y of each ball. None
             takes the places as they were seen.
@@ -66,13 +65,11 @@ class StrikeProblem:
         observed: Observation,
         shot: Shot,
         frame: Frame,
-        threads: int | None = None,
         rest: float | None = None,
     ) -> None:
         self.observed = observed
         self.shot = shot
         self.frame = frame
-        self.threads = threads
         self.rest = rest
         self.places = np.array([ball["position"][:2] for ball in shot.to_dict()["balls"]])
 
@@ -93,7 +90,7 @@ class StrikeProblem:
         def at(vectors: Floats) -> Floats:
             strike, moved = np.split(vectors, [len(STEPS)], axis=1)
             places = self.places + moved.reshape(len(moved), -1, 2) if moved.size else None
-            found = residuals(self.shot, strike, tracks, self.frame, self.threads, places)
+            found = residuals(self.shot, strike, tracks, self.frame, places)
             low, high = self.observed.strike_time
             clock = strike[:, -1]
             found[(clock < low) | (clock > high)] = np.nan
@@ -121,7 +118,6 @@ def residuals(
     vectors: Floats,
     tracks: BallTracks,
     frame: Frame | list[Frame],
-    threads: int | None,
     places: Floats | None = None,
 ) -> Floats:
     """Model minus track, m, for strikes of one shot or of one shot each.
@@ -131,7 +127,6 @@ def residuals(
         vectors: Shape (n, 6): ``NAMES``.
         tracks: What was seen.
         frame: Where the tracks lie on the table; a list has one for each vector.
-        threads: Threads of the engine.
         places: Where the balls lay, m, shape (n, balls, 2); None is where the shots have them.
 
     Returns:
@@ -159,7 +154,7 @@ def residuals(
         clock=clock,
         offset=np.array([one.offset for one in frames]),
         rotation=np.array([one.rotation for one in frames]),
-        threads=threads,
+        threads=1,  # the shots are what is shared among threads
     )
     assert found.residual is not None  # they were asked for
     return found.residual.reshape(len(vectors), -1)

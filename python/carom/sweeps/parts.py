@@ -7,24 +7,20 @@ import itertools
 import json
 import os
 import socket
-from collections import deque
-from collections.abc import Callable, Iterable, Iterator
-from concurrent.futures import Future, ThreadPoolExecutor
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, TypeVar
+from typing import TYPE_CHECKING
 
 from carom import __version__
 from carom.errors import InputError
 from carom.files import at_file
 from carom.lazy import pa, pq
 from carom.sweeps.play import CHUNK
-from carom.threads import startable
+from carom.threads import in_order
 
 if TYPE_CHECKING:
     from carom.sweeps.play import RowPlayer
-
-R = TypeVar("R")
 
 # Rows of a row group: a few tens of megabytes, all that a writer holds in memory.
 GROUP = 131_072
@@ -194,7 +190,7 @@ class Parts:
             InputError: As from ``receipt``.
         """
         there = (part for part in range(len(self)) if self.path(part).exists())
-        return list(_in_order(lambda part: self.receipt(player, part), there, threads))
+        return list(in_order(lambda part: self.receipt(player, part), there, threads))
 
     def check_values(self, player: RowPlayer) -> None:
         """Compare the first rows of the first existing part with those of the sweep.
@@ -269,31 +265,7 @@ def play_rows(
         return player.play(player.parameters(first, min(first + CHUNK, stop)))
 
     firsts = range(start, stop, CHUNK)
-    return pa.Table.from_batches(_in_order(chunk, firsts, threads), schema=player.schema)
-
-
-def _in_order(call: Callable[[int], R], items: Iterable[int], threads: int) -> Iterator[R]:
-    """Call a function for all items on several threads; yield the results in order.
-
-    Only a few calls wait at any time, so that Ctrl-C ends soon and long ranges need no memory.
-    """
-    if threads > 1:
-        threads = startable(threads)
-    if threads < 2:
-        yield from map(call, items)
-        return
-    pending: deque[Future[R]] = deque()
-    with ThreadPoolExecutor(threads) as pool:
-        try:
-            for item in items:
-                pending.append(pool.submit(call, item))
-                if len(pending) > 2 * threads:
-                    yield pending.popleft().result()
-            while pending:
-                yield pending.popleft().result()
-        finally:
-            for future in pending:
-                future.cancel()
+    return pa.Table.from_batches(in_order(chunk, firsts, threads), schema=player.schema)
 
 
 def metadata(
