@@ -64,11 +64,11 @@ impl Sampler {
     ///
     /// # Errors
     /// As [`Self::simulate`].
-    pub fn simulate_recorded<R: Recorder>(
+    pub fn simulate_recorded(
         &mut self,
         prepared: &Prepared<'_>,
         strike: &Strike,
-        recorder: &mut R,
+        recorder: &mut dyn Recorder,
     ) -> Result<(), Error> {
         self.simulator.simulate_recorded(prepared, strike, recorder)
     }

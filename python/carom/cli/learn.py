@@ -209,6 +209,13 @@ def strikes(
     ] = Path("strikes"),
     table: TableName = None,
     radius: Radius = None,
+    rest: Annotated[
+        float | None,
+        typer.Option(
+            metavar="M",
+            help="Find the places where the balls lay too, whose errors are about so large, m.",
+        ),
+    ] = None,
     starts: Starts = 40,
     seed: Seed = 0,
     threads: Threads = None,
@@ -218,6 +225,7 @@ def strikes(
     found = tracks_of.strikes(
         tracks_of.read_tracks(file, table=table, radius=radius),
         None if learned is None else tracks_of.Posterior.load(learned),
+        rest=rest,
         starts=starts,
         seed=seed,
         threads=threads,

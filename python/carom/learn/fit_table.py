@@ -40,10 +40,10 @@ SETTLED = 0.02
 #: Most steps of a round.
 ITERATIONS = 8
 #: Share of the curvature that damps a step.
-DAMPING = 0.02
-#: Curvature of the prior about the start, in units of a parameter's step. The samples of a shot are
-#: far from independent, so their curvature is far too large, and so is this one.
-PRIOR = 20.0
+DAMPING = 0.002
+#: Curvature of the weak prior about the start, in units of a parameter's step: it moves only numbers
+#: that the shots do not tell.
+PRIOR = 0.1
 
 
 @dataclass(frozen=True, slots=True)

@@ -91,6 +91,8 @@ _ROWS = (
 PARAMETERS: Mapping[str, Parameter] = MappingProxyType({row[0]: Parameter(*row) for row in _ROWS})
 #: The cushion models that have each parameter of theirs.
 _ONLY = MappingProxyType({"cushion.frequency_ratio": ("stronge",)})
+#: A ball that touched a nose is placed so far from it, m.
+TOUCHING = 1e-6
 #: A strike that a real player could not make is one of the search's, not an error.
 POLICIES = MappingProxyType({"miscue": "report", "obstruction": "report"})
 
@@ -165,6 +167,9 @@ class TableModel:
         self.cushion_model = values["cushion.model"]
         self._law = {"a": values["rolling.a"], "b": values["rolling.b"]}
         self._size = (values["table.width"], values["table.length"])
+        self._height = values.get("table.cushion_height")
+        self._has_pockets = values["pockets"]
+        self._ball_radius = float(radius if radius is not None else values["ball.radius"])
         names = list(free) if free is not None else self._usual(values)
         for name in names:
             if name not in PARAMETERS:
@@ -258,6 +263,19 @@ class TableModel:
         width, length = self._size
         return own.get("table.width", width), own.get("table.length", length)
 
+    def _inside(self, place: Floats, vector: Floats) -> Floats:
+        """A place with the ball outside the noses: one that is seen in a nose touched it.
+
+        A pocketless table only: in a pocket's mouth a ball may lie behind the line of the noses.
+        """
+        if self._has_pockets or self._height is None:
+            return place
+        own = dict(zip(self.names, vector.tolist(), strict=True))
+        above = own.get("table.cushion_height", self._height) - self._ball_radius
+        touching = np.sqrt(max(self._ball_radius**2 - above**2, 0.0)) + TOUCHING
+        moved: Floats = np.clip(place, touching, np.array(self.size(vector)) - touching)
+        return moved
+
     def shot(self, observed: Observation, vector: Floats) -> tuple[Shot, Frame]:
         """A shot of the balls as they lay, and the frame of the tracks.
 
@@ -267,7 +285,8 @@ class TableModel:
         size = self.size(vector)
         balls: list[dict[str, Any]] = []
         for name, place in observed.rest.items():
-            ball: dict[str, Any] = {"id": name, "position": frame.to_table(place, size).tolist()}
+            lay = self._inside(frame.to_table(place, size), vector)
+            ball: dict[str, Any] = {"id": name, "position": lay.tolist()}
             if self.radius is not None:
                 ball["radius"] = self.radius
             balls.append(ball)

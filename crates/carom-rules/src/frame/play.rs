@@ -214,12 +214,12 @@ impl Frame {
     ///
     /// # Errors
     /// As [`Self::play`].
-    pub fn play_displaced<R: Recorder>(
+    pub fn play_displaced(
         &mut self,
         simulator: &mut FrameSimulator,
         play: &Play,
         shot: &Shot,
-        recorder: &mut R,
+        recorder: &mut dyn Recorder,
     ) -> Result<(Ruling, Summary), Error> {
         self.check_call(self.asked_turn()?, play.call)?;
         let prepared = Prepared::with_shot(self, play.cue_ball, shot)?;

@@ -57,18 +57,20 @@ impl FrameSimulator {
     /// [`Error::Input`] if the strike cannot be played, and [`Error::TooManyEvents`] if the shot
     /// reaches its cap on events.
     pub fn simulate(&mut self, prepared: &Prepared<'_>, strike: &Strike) -> Result<(), Error> {
-        self.simulate_recorded(prepared, strike, &mut NullRecorder)
+        self.simulate_shot(prepared, prepared.shot(), strike, &mut NullRecorder).map(drop)
     }
 
-    /// As [`Self::simulate`]; `recorder` gets every event too.
+    /// As [`Self::simulate`]; `recorder` gets every event too. All recorders share one compiled event
+    /// loop: a call for each event costs far less than the event, and every further loop makes the
+    /// compiled library larger by about 1 %.
     ///
     /// # Errors
     /// As [`Self::simulate`].
-    pub fn simulate_recorded<R: Recorder>(
+    pub fn simulate_recorded(
         &mut self,
         prepared: &Prepared<'_>,
         strike: &Strike,
-        recorder: &mut R,
+        recorder: &mut dyn Recorder,
     ) -> Result<(), Error> {
         self.simulate_shot(prepared, prepared.shot(), strike, recorder).map(drop)
     }
@@ -78,7 +80,7 @@ impl FrameSimulator {
     ///
     /// # Errors
     /// As [`Self::simulate`].
-    pub fn simulate_shot<R: Recorder>(
+    pub fn simulate_shot<R: Recorder + ?Sized>(
         &mut self,
         prepared: &Prepared<'_>,
         shot: &Shot,
