@@ -1,4 +1,4 @@
-"""Writes shots/three_cushion_film.csv.gz: six simulated three-cushion shots, as a camera saw them.
+"""Writes tracks/three_cushion_film.csv.gz: six simulated three-cushion shots, as a camera saw them.
 
     python scripts/film_shots.py
 
@@ -20,7 +20,7 @@ import carom
 import numpy as np
 from carom import learn
 
-PATH = Path(__file__).resolve().parents[1] / "shots" / "three_cushion_film.csv.gz"
+PATH = Path(__file__).resolve().parents[1] / "tracks" / "three_cushion_film.csv.gz"
 #: Rolling resistance a of a + b·v, m/s², with the b of the preset; restitution e(0) of the rails.
 TRUTH = {"rolling.a": 0.048, "cushion.restitution.a": 0.88}
 ROLLING_B = 0.0142

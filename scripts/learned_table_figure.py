@@ -2,7 +2,7 @@
 
     python scripts/learned_table_figure.py
 
-The table is learned from shots/three_cushion_film.csv.gz, whose true numbers are those of
+The table is learned from tracks/three_cushion_film.csv.gz, whose true numbers are those of
 scripts/film_shots.py.
 """
 

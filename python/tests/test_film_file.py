@@ -1,4 +1,4 @@
-"""The film of simulated shots in shots/: it is read, checked, and its table is learned."""
+"""The film of simulated shots in tracks/: it is read, checked, and its table is learned."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pytest
 from carom import learn
 
 ROOT = Path(__file__).parents[2]
-FILM = ROOT / "shots" / "three_cushion_film.csv.gz"
+FILM = ROOT / "tracks" / "three_cushion_film.csv.gz"
 #: Largest errors of what is learned from six shots in one round. The fit begins with
 #: the values of the preset, which are more than three times as far away.
 BOUNDS = {"rolling.a": 0.001, "cushion.restitution.a": 0.011}
