@@ -41,8 +41,8 @@ SETTLED = 0.02
 ITERATIONS = 8
 #: Share of the curvature that damps a step.
 DAMPING = 0.002
-#: Curvature of the weak prior about the start, in units of a parameter's step: it moves only numbers
-#: that the shots do not tell.
+#: Curvature of the weak prior about the start, in units of a parameter's step. It moves only
+#: numbers that the shots do not tell.
 PRIOR = 0.1
 
 

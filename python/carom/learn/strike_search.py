@@ -36,13 +36,13 @@ PLAIN_ELEVATION = 0.05
 PLAIN_WEIGHT = 0.05
 #: A useful step of a place of rest, m, if it is free.
 REST_STEP = 0.001
-#: A place of rest that is one standard deviation away costs as much as an error of so many metres
-#: in one coordinate of one picture: that of ``SCALE``, so that it pays only if it helps for long.
+#: A place of rest that is one standard deviation away costs as much as this error, m, in one
+#: coordinate of one picture. It is that of ``SCALE``, so that it pays only if it helps for long.
 REST_WEIGHT = 0.03
 #: The first horizon of a search, s, and its growth.
 FIRST_HORIZON = 0.8
 GROWTH = 1.5
-#: So many strikes are kept at least while the horizon grows.
+#: Least number of strikes that are kept while the horizon grows.
 FEWEST = 6
 #: Scale of the robust loss while the horizon grows, m.
 SCALE = 0.03
