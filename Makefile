@@ -113,6 +113,7 @@ stress: $(BUILT) ## The long randomised suites: 10 million shots and more (hours
 	CAROM_FRAMES=100000 cargo test --release -p carom-rules --test random_play
 	bash scripts/fuzz.sh 600
 	$(PYTEST) -m stress
+	$(PY) benches/table_coverage.py --again
 	cargo run --release -p carom-check --example stress
 	cargo run --release -p carom-springs --example networks -- --count 60000
 

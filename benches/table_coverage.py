@@ -13,7 +13,7 @@ Restitution and friction of a rail are numbers of its model: those of another ha
 
 Every table is stored as soon as it is done, one a line, in ``benches/results/table_coverage.json``,
 and a run that was stopped continues. The exit code is 1 if films of the fit's own model are covered
-less often than in 85 %, or more often than in 95 %. A table takes about 8 s of one core.
+less often than in 85 %, or more often than in 95 %. A table takes 7 to 10 s of one core.
 """
 
 from __future__ import annotations

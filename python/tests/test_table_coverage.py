@@ -1,0 +1,67 @@
+"""Intervals and ranks of learned tables: the short form of ``benches/table_coverage.py``."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+import pytest
+from carom import learn
+from carom.learn.table_model import TableModel
+from scipy import stats
+from test_stored_results import load
+
+bench: Any = load("benches/table_coverage.py")
+
+
+def test_intervals_of_simulated_tables_cover_the_truth() -> None:
+    """Five tables of four shots, learned from 4 starts.
+
+    Of 15 independent intervals of 90 %, fewer than 12 cover the truth with a probability of 5.6 %.
+    The seeds are fixed. Intervals of half the width cover 11.
+    """
+    free = ("rolling.a", "cushion.restitution.a", "frame.x")
+    covered = 0
+    for seed in range(200, 205):
+        row = bench.learned(bench.FITTED, seed, free, shots=4, rounds=1, starts=4)
+        ends = zip(row["low"], row["truth"], row["high"], strict=True)
+        covered += sum(low < true < high for low, true, high in ends)
+    assert covered >= stats.binom.ppf(0.06, 15, 0.9)
+
+
+def test_ranks_of_the_truth_among_draws_are_uniform_in_a_linear_model() -> None:
+    """300 fits of a line to shots whose samples share an error; χ² over 10 bins, 9 degrees."""
+    random = np.random.default_rng(3)
+    free = ("cloth.sliding_friction", "rolling.a")
+    model = TableModel("carom-10ft", "carom", free)
+    truth = bench.values(learn.LearnedTable(*model.parts(model.start)), free)
+    ranks = []
+    for seed in range(300):
+        slopes = random.standard_normal((30, 10, 2)) + random.standard_normal((30, 1, 2))
+        errors = random.standard_normal((30, 1)) + 0.2 * random.standard_normal((30, 10))
+        curvatures = slopes.transpose(0, 2, 1) @ slopes
+        step = np.linalg.solve(curvatures.sum(axis=0), np.einsum("nks,nk->s", slopes, errors))
+        gradients = np.einsum("nks,nk->ns", slopes, slopes @ step - errors)
+        found = learn.Posterior.of(model, model.start + step * model.steps, curvatures, gradients)
+        draws = np.array([bench.values(draw, free) for draw in found.draw(39, seed)])
+        ranks.append((draws < truth).sum(axis=0))
+    counts = np.array([np.histogram(rank, 10, (0, 40))[0] for rank in np.array(ranks).T])
+    assert (((counts - 30.0) ** 2 / 30.0).sum(axis=1) < stats.chi2.ppf(0.999, 9)).all(), counts
+
+
+def test_stored_shares_are_those_of_the_stored_tables() -> None:
+    stored = json.loads(bench.STORED.read_text(encoding="utf-8"))
+    assert set(stored["films"]) == set(bench.FILMED)
+    assert len(stored["tables"]) == sum(
+        f["tables"] + f["refused"] for f in stored["films"].values()
+    )
+    for film, shares in stored["films"].items():
+        assert bench.shares(stored["tables"], film) == shares
+
+
+@pytest.mark.parametrize(("film", "count"), [("han-2005", 7), ("stronge", 5)])
+def test_only_numbers_that_both_models_have_are_counted(film: str, count: int) -> None:
+    counted = bench.counted(film, bench.FREE)
+    assert len(counted) == count
+    assert ("cushion.friction.a" in counted) == (film == bench.FITTED)
