@@ -12,7 +12,7 @@ from carom import learn
 
 ROOT = Path(__file__).parents[2]
 FILM = ROOT / "tracks" / "three_cushion_film.csv.gz"
-#: Largest errors of what is learned from six shots in one round. The fit begins with
+#: Largest errors of what is learned from six shots in two rounds. The fit begins with
 #: the values of the preset, which are more than three times as far away.
 BOUNDS = {"rolling.a": 0.001, "cushion.restitution.a": 0.011}
 
@@ -60,7 +60,7 @@ def test_a_sample_is_stored_only_when_a_ball_has_moved(tracks: learn.Tracks) -> 
 
 
 def test_the_numbers_of_the_table_are_found(script: ModuleType, tracks: learn.Tracks) -> None:
-    learned = learn.table(tracks, free=[*script.TRUTH], rounds=1, starts=12)
+    learned = learn.table(tracks, free=[*script.TRUTH], rounds=2, starts=12)
     for name, mean, start in zip(learned.names, learned.mean, learned.model.start, strict=True):
         true = script.TRUTH[name]
         assert abs(mean - true) < BOUNDS[name], learned.summary()
