@@ -84,6 +84,7 @@ if TYPE_CHECKING:
     from carom import page as page
     from carom import picture as picture
     from carom import serve as serve
+    from carom.robot_frame import CueCommand, RobotFrame
     from carom.sweeps import Sweep, sweep
 
 __all__ = [
@@ -97,6 +98,7 @@ __all__ = [
     "Candidates",
     "CaromError",
     "Chance",
+    "CueCommand",
     "CuePose",
     "CushionTable",
     "Decision",
@@ -123,6 +125,7 @@ __all__ = [
     "PotPlay",
     "Recommendation",
     "Repaired",
+    "RobotFrame",
     "Ruling",
     "SampledStates",
     "Shot",
@@ -173,7 +176,12 @@ notebook._drawn["png"] = _png_of
 
 # Modules that few programs use; they are imported when they are first used.
 _LAZY_MODULES = {"bench", "convert", "learn", "page", "picture", "serve"}
-_LAZY_NAMES = {"Sweep": "carom.sweeps", "sweep": "carom.sweeps"}
+_LAZY_NAMES = {
+    "CueCommand": "carom.robot_frame",
+    "RobotFrame": "carom.robot_frame",
+    "Sweep": "carom.sweeps",
+    "sweep": "carom.sweeps",
+}
 
 
 def __getattr__(name: str) -> object:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, fields, replace
 from typing import TYPE_CHECKING, Any, Self
@@ -150,6 +151,35 @@ class Noise:
         if self.samples is not None:
             scaled["samples"] = [_times(row, factor) for row in self.samples]
         return replace(self, **scaled)
+
+    def __add__(self, other: Noise) -> Self:
+        """The noise of both, with independent errors: means and covariances add up.
+
+        Cling is taken from the one that has it.
+
+        Raises:
+            InputError: One has samples, or both have cling.
+        """
+        if not isinstance(other, Noise):
+            return NotImplemented
+        for noise in (self, other):
+            if noise.samples is not None:
+                remedy = "give numpy.cov of the samples as covariance, and their mean as bias"
+                raise InputError("conflict", "noise.samples", "samples cannot be added", remedy)
+        if self.cling_probability and other.cling_probability:
+            fault, remedy = "both have cling", "set it to 0 in one of them"
+            raise InputError("conflict", "noise.cling_probability", fault, remedy)
+        total: dict[str, Any] = {
+            name: math.hypot(getattr(self, name), getattr(other, name)) for name in _SIGMAS
+        }
+        total["bias"] = [a + b for a, b in zip(self.bias, other.bias, strict=True)]
+        matrices = [np.array(m.covariance) for m in (self, other) if m.covariance is not None]
+        if matrices:
+            total["covariance"] = sum(matrices)
+        if other.cling_probability:
+            total["cling_probability"] = other.cling_probability
+            total["cling_friction"] = other.cling_friction
+        return replace(self, **total)
 
     def mean(self) -> tuple[float, ...]:
         """The mean error: speed (m/s), azimuth, elevation (rad), side, height (m)."""
