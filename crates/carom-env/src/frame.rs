@@ -1,6 +1,5 @@
 //! Episodes of a game with a referee.
 
-use carom::event::NullRecorder;
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, ErrorKind, Shot};
 use carom_arena::{Execution, LastShot};
@@ -151,7 +150,7 @@ impl FrameEpisode {
         } else {
             // The call is chosen without noise.
             let clung = prepared.shot().with_cling(strike.cling);
-            simulator.simulate_shot(&prepared, &clung, &actual, &mut NullRecorder)?;
+            simulator.simulate_shot(&prepared, &clung, &actual)?;
         }
         if let Some(shots) = shots {
             let shot = prepared.shot().with_cling(strike.cling).with_strike(&actual)?;

@@ -28,7 +28,7 @@
 //! # }
 //! ```
 
-use carom::event::{NullRecorder, Recorder};
+use carom::event::Recorder;
 use carom::noise::Errors;
 use carom::outcome::Outcome;
 use carom::resolve::cue_ball::Strike;
@@ -109,7 +109,7 @@ impl Sampler {
         }
         let variant = self.variant.get_or_insert_with(|| prepared.shot().clone());
         errors.write_shot(prepared.shot(), index, variant);
-        self.simulator.simulate_shot(prepared, variant, executed, &mut NullRecorder).map(drop)
+        self.simulator.simulate_shot(prepared, variant, executed).map(drop)
     }
 
     /// Rules on the last simulation, which was one of `prepared`, as if `call` had been announced.

@@ -16,7 +16,6 @@
 
 mod value;
 
-use carom::event::NullRecorder;
 use carom::{Error, ErrorKind, Noise};
 use carom_mind::value::Position;
 use carom_rules::{
@@ -125,7 +124,7 @@ impl LuckMeter {
                 simulator.simulate(&prepared, &strike)
             } else {
                 let clinging = shot.with_cling(cling);
-                simulator.simulate_shot(&prepared, &clinging, &strike, &mut NullRecorder).map(drop)
+                simulator.simulate_shot(&prepared, &clinging, &strike).map(drop)
             };
             match simulated {
                 Ok(()) => {

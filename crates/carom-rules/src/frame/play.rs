@@ -223,7 +223,7 @@ impl Frame {
     ) -> Result<(Ruling, Summary), Error> {
         self.check_call(self.asked_turn()?, play.call)?;
         let prepared = Prepared::with_shot(self, play.cue_ball, shot)?;
-        let summary = simulator.simulate_shot(&prepared, shot, &play.strike, recorder)?;
+        let summary = simulator.simulate_shot_recorded(&prepared, shot, &play.strike, recorder)?;
         let mut successor = self.clone();
         let ruling = simulator.rule(&prepared, play.call, &mut successor)?;
         *self = successor;

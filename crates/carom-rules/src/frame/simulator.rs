@@ -57,12 +57,10 @@ impl FrameSimulator {
     /// [`Error::Input`] if the strike cannot be played, and [`Error::TooManyEvents`] if the shot
     /// reaches its cap on events.
     pub fn simulate(&mut self, prepared: &Prepared<'_>, strike: &Strike) -> Result<(), Error> {
-        self.simulate_shot(prepared, prepared.shot(), strike, &mut NullRecorder).map(drop)
+        self.simulate_shot(prepared, prepared.shot(), strike).map(drop)
     }
 
-    /// As [`Self::simulate`]; `recorder` gets every event too. All recorders share one compiled event
-    /// loop: a call for each event costs far less than the event, and every further loop makes the
-    /// compiled library larger by about 1 %.
+    /// As [`Self::simulate`]; `recorder` gets every event too.
     ///
     /// # Errors
     /// As [`Self::simulate`].
@@ -72,15 +70,40 @@ impl FrameSimulator {
         strike: &Strike,
         recorder: &mut dyn Recorder,
     ) -> Result<(), Error> {
-        self.simulate_shot(prepared, prepared.shot(), strike, recorder).map(drop)
+        self.simulate_shot_recorded(prepared, prepared.shot(), strike, recorder).map(drop)
     }
 
-    /// As [`Self::simulate_recorded`], with a variant of the prepared `shot` in which the balls are
-    /// displaced a little or other contacts cling.
+    /// As [`Self::simulate`], with a variant of the prepared `shot` in which the balls are displaced
+    /// a little or other contacts cling.
     ///
     /// # Errors
     /// As [`Self::simulate`].
-    pub fn simulate_shot<R: Recorder + ?Sized>(
+    pub fn simulate_shot(
+        &mut self,
+        prepared: &Prepared<'_>,
+        shot: &Shot,
+        strike: &Strike,
+    ) -> Result<Summary, Error> {
+        self.run(prepared, shot, strike, &mut NullRecorder)
+    }
+
+    /// As [`Self::simulate_shot`]; `recorder` gets every event too.
+    ///
+    /// # Errors
+    /// As [`Self::simulate`].
+    pub fn simulate_shot_recorded(
+        &mut self,
+        prepared: &Prepared<'_>,
+        shot: &Shot,
+        strike: &Strike,
+        mut recorder: &mut dyn Recorder,
+    ) -> Result<Summary, Error> {
+        self.run(prepared, shot, strike, &mut recorder)
+    }
+
+    /// Each type of recorder compiles the whole event loop again, about 1 % of the Python package.
+    /// So this is private, and has two: none, and any other through a call for each event.
+    fn run<R: Recorder>(
         &mut self,
         prepared: &Prepared<'_>,
         shot: &Shot,
