@@ -556,7 +556,8 @@ def test_learn_table_and_strikes_write_what_they_found(run: CommandLine, tmp_pat
     assert "rolling.a" in done.stdout
     assert json.loads(learned.read_text())["posterior"]["names"] == ["rolling.a"]
     done = run("learn", "strikes", str(film), "--learned", str(learned), "--out", str(folder), *few)
-    assert [path.name for path in sorted(folder.iterdir())] == ["0001.json", "0002.json"]
+    names = [path.name for path in sorted(folder.iterdir())]
+    assert names == ["0001.json", "0002.json", "strikes.json"]
     assert "wrote 2 shots" in done.stderr
     found = carom.Shot.load(folder / "0001.json").strike
     assert found is not None

@@ -14,14 +14,14 @@ from carom.learn.contacts import Contact
 from carom.learn.filmed_strikes import FilmedStrike, strikes
 from carom.learn.findings import Finding
 from carom.learn.fit_player import player, players
-from carom.learn.fit_table import table
 from carom.learn.header import FileFrame, TracksHeader
+from carom.learn.learned import Posterior, table
 from carom.learn.player_chances import ChanceOfDraws, PlayerChances
 from carom.learn.player_errors import PlayedStrike
 from carom.learn.player_folder import read_players, read_strikes
 from carom.learn.player_intentions import Intentions, find_intentions
 from carom.learn.player_posterior import PlayerPosterior
-from carom.learn.posterior import LearnedTable, Posterior
+from carom.learn.posterior import LearnedNumbers, LearnedTable
 from carom.learn.quality import ShotQuality, TracksReport, check
 from carom.learn.read import read_tracks
 from carom.learn.recordings import cut_into_shots
@@ -42,6 +42,7 @@ __all__ = [
     "FitReport",
     "Frame",
     "Intentions",
+    "LearnedNumbers",
     "LearnedTable",
     "ModelScore",
     "Parameter",

@@ -11,7 +11,7 @@ from carom.errors import InputError
 from carom.lazy import np
 from carom.learn.fit_table import fit_error
 from carom.learn.observation import Observation, observe
-from carom.learn.posterior import Posterior
+from carom.learn.posterior import LearnedNumbers
 from carom.learn.strike_posterior import strike_samples
 from carom.learn.strike_search import STEPS, StrikeProblem, search
 from carom.learn.table_model import POLICIES, TableModel
@@ -64,7 +64,7 @@ class FilmedStrike:
 
 def strikes(
     tracks: Tracks,
-    learned: Posterior | None = None,
+    learned: LearnedNumbers | None = None,
     *,
     table: str | Mapping[str, Any] | None = None,
     physics: str | Mapping[str, Any] | None = None,

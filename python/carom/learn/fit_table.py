@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from carom.arguments import cores
 from carom.errors import InputError
 from carom.lazy import np
 from carom.learn import levenberg
-from carom.learn.observation import Observation, observe
-from carom.learn.posterior import Posterior
+from carom.learn.observation import Observation
 from carom.learn.strike_search import STEPS, StrikeProblem, residuals, root_mean_square, search
 from carom.learn.table_model import TableModel
-from carom.learn.tracks import Tracks
 from carom.progress import progress_bar
 from carom.threads import in_order
 
@@ -61,52 +59,28 @@ class _Part:
     vector: Floats
 
 
-def table(
-    tracks: Tracks,
+def fit(
+    observed: Sequence[Observation],
+    model: TableModel,
     *,
-    table: str | Mapping[str, Any] | None = None,
-    physics: str | Mapping[str, Any] | None = None,
-    free: Iterable[str] | None = None,
-    rounds: int = 3,
-    starts: int = 40,
-    seed: int = 0,
-    threads: int | None = None,
-    progress: bool = False,
-) -> Posterior:
-    """Learn the physics of a table, its nose lines and the frame of the camera from filmed shots.
-
-    Two steps alternate. First a search finds the strike that explains each shot best. Then the free
-    numbers take Gauss–Newton steps on all shots together, where the strikes of the
-    shots are eliminated (variable projection, Golub & Pereyra 1973): a change of the physics comes
-    with the change of every strike that belongs to it. A shot counts up to the time at which its
-    model leaves the track by more than 8 cm.
-
-    Args:
-        tracks: The filmed shots.
-        table: The table as a shot file has it; None is that of the tracks' header.
-        physics: The models, and the numbers that are not learned, as a shot file has them; None is
-            the physics that belongs to the table.
-        free: Names of the numbers to learn (``carom.learn.PARAMETERS``); None for all that the
-            table and the models have.
-        rounds: How often the two steps alternate.
-        starts: Starts of the search for a strike.
-        seed: Seed of the starts.
-        threads: Number of threads; None for all cores.
-        progress: Whether to show the progress on stderr.
+    rounds: int,
+    starts: int,
+    seed: int,
+    threads: int | None,
+    progress: bool,
+) -> tuple[Floats, Floats, Floats]:
+    """Fit the free numbers of a table, as ``carom.learn.table`` describes.
 
     Returns:
-        The numbers with their uncertainty.
-
-    Raises:
-        InputError: There is no table, a name is unknown, or too few shots can be used.
+        The numbers, shape (p,), and the curvature and the gradient that each used shot adds, shapes
+        (n, p, p) and (n, p), in steps.
     """
-    model = TableModel.of(tracks.header, table, physics, free)
-    joint = _Joint([observe(shot) for shot in tracks], model, starts, seed, threads)
-    with progress_bar(rounds * len(tracks), show=progress, what="strikes") as done:
+    joint = _Joint(observed, model, starts, seed, threads)
+    with progress_bar(rounds * len(observed), show=progress, what="strikes") as done:
         for index in range(rounds):
             joint.search_strikes(index, done)
             joint.settle()
-    return joint.posterior()
+    return joint.result()
 
 
 class _Joint:
@@ -241,12 +215,11 @@ class _Joint:
         curvature = normal[count:, count:] - eliminate @ normal[:count, count:]
         return _Part(curvature, gradient[count:] - eliminate @ gradient[:count], vector)
 
-    def posterior(self) -> Posterior:
-        """The numbers, and their covariance from the scatter between shots."""
+    def result(self) -> tuple[Floats, Floats, Floats]:
+        """The numbers, and the curvature and the gradient of each used shot."""
         used = [part for part in self.parts() if part is not None]
         curvatures = np.array([part.curvature for part in used])
-        gradients = np.array([part.gradient for part in used])
-        return Posterior.of(self.model, self.vector, curvatures, gradients)
+        return self.vector, curvatures, np.array([part.gradient for part in used])
 
 
 def fit_error(problem: StrikeProblem, vector: Floats) -> tuple[float, float]:

@@ -18,8 +18,6 @@ from carom.learn.table_model import Frame, TableModel
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from carom.learn.tracks import Tracks
-
     Floats = NDArray[np.float64]
 
 FORMAT = "carom-learned/1"
@@ -49,7 +47,7 @@ class LearnedTable:
 
 
 @dataclass(frozen=True, slots=True, eq=False)
-class Posterior:
+class LearnedNumbers:
     """The free numbers of a table, jointly normal.
 
     Attributes:
@@ -182,22 +180,6 @@ class Posterior:
         if sentences := self.unknown():
             lines += ["", *sentences]
         return "\n".join(lines)
-
-    def report(self, path: str | os.PathLike[str], tracks: Tracks, **options: Any) -> None:
-        """Write a page about the table and the filmed shots: one HTML file.
-
-        Args:
-            path: The file.
-            tracks: The shots from which the table was learned.
-            options: Those of ``carom.learn.fit_report``, such as ``found``.
-
-        Raises:
-            OSError: The file cannot be written.
-        """
-        from carom.learn.report_data import fit_report
-        from carom.learn.report_page import write_report
-
-        write_report(fit_report(tracks, self, **options), path, title="Learned table")
 
     def to_dict(self) -> dict[str, Any]:
         """``carom-learned/1``: physics, table, frame and posterior."""

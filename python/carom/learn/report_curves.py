@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from carom import _core
 from carom.cloth import STANDARD_GRAVITY
 from carom.lazy import np
-from carom.learn.posterior import Posterior
+from carom.learn.posterior import LearnedNumbers
 from carom.learn.report_data import ShotFit
 from carom.shot import Shot
 
@@ -110,7 +110,7 @@ def throw(physics: Mapping[str, Any], cuts: Floats, radius: float | None) -> Flo
     return np.array(found)
 
 
-def curves(posterior: Posterior, shots: Sequence[ShotFit]) -> dict[str, Curve]:
+def curves(posterior: LearnedNumbers, shots: Sequence[ShotFit]) -> dict[str, Curve]:
     """The curves by the names ``restitution``, ``friction``, ``rolling`` and ``throw``."""
     rails, cuts = _contacts(shots)
     speeds = [_speeds(shot) for shot in shots]
@@ -141,7 +141,7 @@ def _curve(x: Floats, rows: Sequence[Floats], seen: Floats) -> Curve:
     return Curve(x, rows[1], low, high, rows[0], seen[(seen >= x[0]) & (seen <= x[-1])])
 
 
-def _start(posterior: Posterior) -> dict[str, Any]:
+def _start(posterior: LearnedNumbers) -> dict[str, Any]:
     return posterior.model.parts(posterior.model.start)[1]
 
 

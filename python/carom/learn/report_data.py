@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from carom.lazy import np
 from carom.learn.filmed_strikes import FilmedStrike, strikes
 from carom.learn.observation import Observation, observe
-from carom.learn.posterior import Posterior
+from carom.learn.posterior import LearnedNumbers
 from carom.learn.quality import ShotQuality, check
 from carom.learn.tracks import Tracks
 from carom.trace import Trace
@@ -103,7 +103,7 @@ class FitReport:
         models: Models that were compared; empty if none were.
     """
 
-    posterior: Posterior
+    posterior: LearnedNumbers
     shots: tuple[ShotFit, ...]
     missing: tuple[str, ...]
     models: tuple[ModelScore, ...] = ()
@@ -111,7 +111,7 @@ class FitReport:
 
 def fit_report(
     tracks: Tracks,
-    posterior: Posterior,
+    posterior: LearnedNumbers,
     found: Sequence[FilmedStrike] | None = None,
     models: Iterable[ModelScore] = (),
     *,
@@ -147,7 +147,7 @@ def fit_report(
 
 
 def _shot(
-    observed: Observation, posterior: Posterior, strike: FilmedStrike, quality: ShotQuality
+    observed: Observation, posterior: LearnedNumbers, strike: FilmedStrike, quality: ShotQuality
 ) -> ShotFit:
     trace = strike.shot.simulate()
     time = observed.time - strike.clock

@@ -8,7 +8,7 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from carom.lazy import np
-from carom.learn.posterior import NORMAL_90, PRIOR_STEPS, UNKNOWN, Posterior
+from carom.learn.posterior import NORMAL_90, PRIOR_STEPS, UNKNOWN, LearnedNumbers
 from carom.learn.report_chart import Chart, figure, number, polyline, span, svg
 from carom.learn.report_curves import THROW_SPEED, Curve, curves
 from carom.learn.report_data import FitReport, ShotFit
@@ -134,14 +134,14 @@ def error_figures(shots: Sequence[ShotFit]) -> Iterable[str]:
     yield figure(lead.svg(), "Error along the path: above 0 the model is ahead of the ball.")
 
 
-def told(posterior: Posterior) -> list[int]:
+def told(posterior: LearnedNumbers) -> list[int]:
     """Indices of the numbers of the corner plot: those that the tracks tell best."""
     share = posterior.sigma / (PRIOR_STEPS * posterior.model.steps)
     known = [k for k in np.argsort(share, kind="stable").tolist() if share[k] <= UNKNOWN]
     return sorted(known[:_MOST_CORNERS])
 
 
-def corner_figure(posterior: Posterior) -> str:
+def corner_figure(posterior: LearnedNumbers) -> str:
     """The joint posterior of two numbers each, and of each number alone; empty if it has one."""
     chosen = told(posterior)
     if len(chosen) < 2:

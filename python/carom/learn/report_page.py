@@ -10,7 +10,7 @@ from carom.files import write_whole
 from carom.html_report import cell, document, grid, minus, row_head, text_cell
 from carom.lazy import np
 from carom.learn import report_chart, report_figures
-from carom.learn.posterior import PRIOR_STEPS, UNKNOWN, Posterior
+from carom.learn.posterior import PRIOR_STEPS, UNKNOWN, LearnedNumbers
 from carom.learn.report_data import APART, FitReport, ShotFit
 
 #: Number of shots that are drawn: those with the largest errors.
@@ -79,7 +79,7 @@ def _summary(report: FitReport) -> str:
     )
 
 
-def _numbers(posterior: Posterior) -> str:
+def _numbers(posterior: LearnedNumbers) -> str:
     heads = ["number", "learned", "interval of 90 %", "at the start", "unit", "what it is", ""]
     share = posterior.sigma / (PRIOR_STEPS * posterior.model.steps)
     rows = []
@@ -109,7 +109,7 @@ def _digits(width: float) -> int:
     return int(np.clip(1 - np.floor(np.log10(width)), 0, 8)) if width > 0.0 else 5
 
 
-def _unknown(posterior: Posterior) -> str:
+def _unknown(posterior: LearnedNumbers) -> str:
     sentences = posterior.unknown()
     if not sentences:
         return "<p>These shots determine every number, and no two numbers trade off.</p>"
@@ -133,7 +133,7 @@ def _models(report: FitReport) -> Iterable[str]:
     yield grid("models", "Log score of shots that were held out; higher is better", heads, rows)
 
 
-def _corner(posterior: Posterior) -> Iterable[str]:
+def _corner(posterior: LearnedNumbers) -> Iterable[str]:
     if picture := report_figures.corner_figure(posterior):
         yield '<h2 id="posterior">How the numbers depend on each other</h2>'
         yield picture
