@@ -81,6 +81,17 @@ def azimuths(people: list[learn.PlayerPosterior], sigma: Any) -> dict[str, Any]:
     return rows
 
 
+def middle_of_window(shot: carom.Shot, aim: float) -> float | None:
+    """Middle of the azimuths about ``aim`` that pot ball 1; None if they are not one piece."""
+    azimuth = aim + np.linspace(-0.06, 0.06, 241)
+    pocket = shot.batch(azimuth=azimuth).pocket
+    pots = (pocket[:, 1] >= 0) & (pocket[:, 0] == -1)
+    edges = np.flatnonzero(np.diff(np.concatenate(([0], pots, [0])).astype(int)))
+    if len(edges) != 2 or edges[0] == 0 or edges[1] == len(azimuth):
+        return None
+    return float(azimuth[edges[0] : edges[1]].mean())
+
+
 def match_shot(random: np.random.Generator, sigma: Any) -> carom.Shot:
     """A shot as it was played."""
     while True:
@@ -95,13 +106,9 @@ def match_shot(random: np.random.Generator, sigma: Any) -> carom.Shot:
             elevation=random.uniform(0.04, 0.1),
         )
         shot = carom.Shot("wpa-9ft", {"cue": cue.tolist(), "1": ball.tolist()}, meant)
-        azimuth = aim + np.linspace(-0.06, 0.06, 241)
-        pocket = shot.batch(azimuth=azimuth).pocket
-        pots = (pocket[:, 1] >= 0) & (pocket[:, 0] == -1)
-        edges = np.flatnonzero(np.diff(np.concatenate(([0], pots, [0])).astype(int)))
-        if len(edges) != 2 or edges[0] == 0 or edges[1] == len(azimuth):
+        middle = middle_of_window(shot, aim)
+        if middle is None:
             continue
-        middle = float(azimuth[edges[0] : edges[1]].mean())
         if random.random() < OTHERS:
             middle += random.uniform(-0.15, 0.15)
         noise = carom.Noise(

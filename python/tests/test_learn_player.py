@@ -13,9 +13,12 @@ import pytest
 from carom import learn
 from carom.errors import InputError
 from carom.learn.player_errors import NUMBERS, SCALE, vector_of
+from test_stored_results import load
 
 if TYPE_CHECKING:
     from conftest import CommandLine
+
+bench: Any = load("benches/player_match.py")
 
 SIGMA = np.array((0.05, math.radians(0.2), math.radians(0.7), 0.001, 0.0015))
 DRILL = carom.Shot(
@@ -195,13 +198,9 @@ def aimed_shots(count: int, sigma: float, seed: int) -> list[carom.Shot]:
             random.uniform(1.5, 3.0), aim, height=random.uniform(-0.2, 0.2), elevation=0.05
         )
         shot = carom.Shot("wpa-9ft", {"cue": cue.tolist(), "1": ball.tolist()}, strike)
-        azimuth = aim + np.linspace(-0.06, 0.06, 241)
-        pocket = shot.batch(azimuth=azimuth).pocket
-        pots = (pocket[:, 1] >= 0) & (pocket[:, 0] == -1)
-        edges = np.flatnonzero(np.diff(np.concatenate(([0], pots, [0])).astype(int)))
-        if len(edges) != 2 or edges[0] == 0 or edges[1] == len(azimuth):
+        middle = bench.middle_of_window(shot, aim)
+        if middle is None:
             continue
-        middle = azimuth[edges[0] : edges[1]].mean()
         played = middle + random.normal(0.0, sigma)
         shots.append(shot.with_strike(azimuth=float(played)))
     return shots

@@ -6,6 +6,7 @@ import math
 from pathlib import Path
 
 import carom
+import linear_films
 import numpy as np
 import pytest
 from carom import learn
@@ -80,12 +81,7 @@ def test_intervals_cover_the_truth_when_errors_of_a_shot_belong_together() -> No
     model = TableModel("carom-10ft", "carom", FREE[:3])
     truth, covered = model.start, []
     for _ in range(400):
-        slopes = random.standard_normal((40, 30, 3)) + random.standard_normal((40, 1, 3))
-        errors = random.standard_normal((40, 1)) + 0.2 * random.standard_normal((40, 30))
-        curvatures = slopes.transpose(0, 2, 1) @ slopes
-        step = np.linalg.solve(curvatures.sum(axis=0), np.einsum("nks,nk->s", slopes, errors))
-        gradients = np.einsum("nks,nk->ns", slopes, slopes @ step - errors)
-        found = learn.Posterior.of(model, truth + step * model.steps, curvatures, gradients)
+        found = linear_films.learned(random, model, shots=40, samples=30)
         intervals = [found.interval(name) for name in FREE[:3]]
         covered += [low < true < high for (low, high), true in zip(intervals, truth, strict=True)]
     assert 0.87 < np.mean(covered) < 0.94

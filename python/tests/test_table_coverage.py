@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
+import linear_films
 import numpy as np
 import pytest
 from carom import learn
@@ -38,12 +39,7 @@ def test_ranks_of_the_truth_among_draws_are_uniform_in_a_linear_model() -> None:
     truth = bench.values(learn.LearnedTable(*model.parts(model.start)), free)
     ranks = []
     for seed in range(300):
-        slopes = random.standard_normal((30, 10, 2)) + random.standard_normal((30, 1, 2))
-        errors = random.standard_normal((30, 1)) + 0.2 * random.standard_normal((30, 10))
-        curvatures = slopes.transpose(0, 2, 1) @ slopes
-        step = np.linalg.solve(curvatures.sum(axis=0), np.einsum("nks,nk->s", slopes, errors))
-        gradients = np.einsum("nks,nk->ns", slopes, slopes @ step - errors)
-        found = learn.Posterior.of(model, model.start + step * model.steps, curvatures, gradients)
+        found = linear_films.learned(random, model, shots=30, samples=10)
         draws = np.array([bench.values(draw, free) for draw in found.draw(39, seed)])
         ranks.append((draws < truth).sum(axis=0))
     counts = np.array([np.histogram(rank, 10, (0, 40))[0] for rank in np.array(ranks).T])

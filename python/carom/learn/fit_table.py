@@ -11,7 +11,14 @@ from carom.errors import InputError
 from carom.lazy import np
 from carom.learn import levenberg
 from carom.learn.observation import Observation
-from carom.learn.strike_search import STEPS, StrikeProblem, residuals, root_mean_square, search
+from carom.learn.strike_search import (
+    STEPS,
+    StrikeProblem,
+    leaves,
+    residuals,
+    root_mean_square,
+    search,
+)
 from carom.learn.table_model import TableModel
 from carom.progress import progress_bar
 from carom.threads import in_order
@@ -21,9 +28,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-#: A shot counts up to the time at which model and track are farther apart, m. Beyond it they are on
-#: different ways, and derivatives there say nothing about the numbers.
-APART = 0.08
 #: A shot that is on the track for less, s, does not count.
 LEAST_HORIZON = 0.8
 #: Standard deviation of model minus track, m: at the strike, and its growth a second. The error of
@@ -166,15 +170,16 @@ class _Joint:
         return [*in_order(self.part, range(len(self.observed)), self.threads)]
 
     def horizon(self, index: int, vector: Floats) -> float:
-        """The time at which the model leaves the track, s."""
+        """The time up to which a shot counts, s: until the model leaves the track.
+
+        Beyond it they are on different ways, and derivatives there say nothing about the numbers.
+        """
         observed = self.observed[index]
         found = self.problem(index).residuals(observed.end)(vector[None])[0]
         if not np.isfinite(found).all():
             return 0.0
         time = observed.until(observed.end).time
-        distance = np.hypot(*found[: 2 * time.size].reshape(-1, 2).T)
-        apart = time[distance > APART]
-        return float(apart.min()) if apart.size else observed.end
+        return min(leaves(found[: 2 * time.size].reshape(-1, 2), time), observed.end)
 
     def part(self, index: int) -> _Part | None:
         """What a shot says about the free numbers; None if it leaves the track too early."""

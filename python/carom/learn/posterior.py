@@ -105,6 +105,11 @@ class LearnedNumbers:
         return deviation
 
     @property
+    def share_of_prior(self) -> Floats:
+        """Standard deviation of each number, as a share of that of the weak prior."""
+        return self.sigma / (PRIOR_STEPS * self.model.steps)
+
+    @property
     def physics(self) -> dict[str, Any]:
         """The learned physics, as a shot file has it."""
         return self.model.parts(self.mean)[1]
@@ -153,8 +158,7 @@ class LearnedNumbers:
                 f"{self.shots} shots are few for {len(self.names)} numbers: the intervals are "
                 "rough. Film more shots, or learn fewer numbers."
             )
-        share = self.sigma / (PRIOR_STEPS * self.model.steps)
-        for parameter, value in zip(self.model.free, share, strict=True):
+        for parameter, value in zip(self.model.free, self.share_of_prior, strict=True):
             if value > UNKNOWN:
                 sentences.append(
                     f"{parameter.name}: these shots do not tell the {parameter.about}."

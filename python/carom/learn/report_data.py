@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
@@ -11,6 +12,7 @@ from carom.learn.filmed_strikes import FilmedStrike, strikes
 from carom.learn.observation import Observation, observe
 from carom.learn.posterior import LearnedNumbers
 from carom.learn.quality import ShotQuality, check
+from carom.learn.strike_search import leaves
 from carom.learn.tracks import Tracks
 from carom.trace import Trace
 
@@ -19,8 +21,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-#: The model has left the track where it is farther from it than this, m.
-APART = 0.08
 #: A ball moves if it is faster, m/s: slower ones have no direction.
 MOVES = 0.1
 
@@ -155,7 +155,6 @@ def _shot(
     model = {ball: places[:, index] for index, ball in enumerate(strike.shot.ids)}
     size = posterior.model.size(posterior.mean)
     track = {ball: posterior.frame.to_table(seen, size) for ball, seen in observed.position.items()}
-    distance = np.array([np.hypot(*(model[ball] - track[ball]).T) for ball in track])
-    apart = np.flatnonzero((distance > APART).any(axis=0))
-    left_at = float(time[apart[0]]) if apart.size else None
-    return ShotFit(observed.name, strike, trace, time, track, model, left_at, quality)
+    left_at = min(leaves(model[ball] - places, time) for ball, places in track.items())
+    left = left_at if math.isfinite(left_at) else None
+    return ShotFit(observed.name, strike, trace, time, track, model, left, quality)

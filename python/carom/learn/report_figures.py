@@ -8,7 +8,7 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from carom.lazy import np
-from carom.learn.posterior import NORMAL_90, PRIOR_STEPS, UNKNOWN, LearnedNumbers
+from carom.learn.posterior import NORMAL_90, UNKNOWN, LearnedNumbers
 from carom.learn.report_chart import Chart, figure, number, polyline, span, svg
 from carom.learn.report_curves import THROW_SPEED, Curve, curves
 from carom.learn.report_data import FitReport, ShotFit
@@ -136,7 +136,7 @@ def error_figures(shots: Sequence[ShotFit]) -> Iterable[str]:
 
 def told(posterior: LearnedNumbers) -> list[int]:
     """Indices of the numbers of the corner plot: those that the tracks tell best."""
-    share = posterior.sigma / (PRIOR_STEPS * posterior.model.steps)
+    share = posterior.share_of_prior
     known = [k for k in np.argsort(share, kind="stable").tolist() if share[k] <= UNKNOWN]
     return sorted(known[:_MOST_CORNERS])
 

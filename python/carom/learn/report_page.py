@@ -10,8 +10,9 @@ from carom.files import write_whole
 from carom.html_report import cell, document, grid, minus, row_head, text_cell
 from carom.lazy import np
 from carom.learn import report_chart, report_figures
-from carom.learn.posterior import PRIOR_STEPS, UNKNOWN, LearnedNumbers
-from carom.learn.report_data import APART, FitReport, ShotFit
+from carom.learn.posterior import UNKNOWN, LearnedNumbers
+from carom.learn.report_data import FitReport, ShotFit
+from carom.learn.strike_search import APART
 
 #: Number of shots that are drawn: those with the largest errors.
 WORST = 6
@@ -81,7 +82,7 @@ def _summary(report: FitReport) -> str:
 
 def _numbers(posterior: LearnedNumbers) -> str:
     heads = ["number", "learned", "interval of 90 %", "at the start", "unit", "what it is", ""]
-    share = posterior.sigma / (PRIOR_STEPS * posterior.model.steps)
+    share = posterior.share_of_prior
     rows = []
     for index, parameter in enumerate(posterior.model.free):
         low, high = posterior.interval(parameter.name)

@@ -12,6 +12,7 @@ from carom.learn.strike_search import (
     LARGEST_OFFSET,
     STEPS,
     StrikeProblem,
+    leaves,
 )
 
 if TYPE_CHECKING:
@@ -28,8 +29,6 @@ BEFORE = (0.4, 10.0, 0.5, 0.5, 0.3, 0.05)
 REST = 0.001
 #: Least standard deviation of model minus track, m.
 LEAST_ERROR = 0.001
-#: A film counts until the model is so far from the track, m.
-APART = 0.08
 
 
 def strike_samples(problem: StrikeProblem, vector: Floats, seed: int) -> Floats:
@@ -62,7 +61,9 @@ def strike_samples(problem: StrikeProblem, vector: Floats, seed: int) -> Floats:
     slopes = np.nan_to_num(np.where(is_ahead, ahead, behind))
     tracks = problem.observed.until(problem.observed.end)
     size = 2 * tracks.time.size
-    counts = np.repeat(_near(here[0, :size], tracks.time), 2)
+    # A film counts until the model leaves the track.
+    until = leaves(here[0, :size].reshape(-1, 2), tracks.time)
+    counts = np.repeat(tracks.time < until, 2)
     residual, slopes = here[0, :size][counts], slopes[:, :size][:, counts]
     square = float(residual @ residual) / max(residual.size, 1)
     variance = max(square, LEAST_ERROR**2) * _alike(residual)
@@ -73,14 +74,6 @@ def strike_samples(problem: StrikeProblem, vector: Floats, seed: int) -> Floats:
     normal = random.standard_normal((DRAWS, steps.size))
     draws = point + (normal / np.sqrt(np.maximum(values, 1e-12))) @ axes.T * steps
     return _possible(draws[:, : len(STEPS)])
-
-
-def _near(residuals: Floats, time: Floats) -> NDArray[np.bool_]:
-    """The samples before the model leaves the track."""
-    distance = np.hypot(*residuals.reshape(-1, 2).T)
-    apart = time[distance > APART]
-    near: NDArray[np.bool_] = time < (apart.min() if apart.size else np.inf)
-    return near
 
 
 def _alike(residuals: Floats) -> float:

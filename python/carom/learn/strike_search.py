@@ -39,6 +39,8 @@ REST_STEP = 0.001
 #: A place of rest that is one standard deviation away costs as much as this error, m, in one
 #: coordinate of one picture. It is that of ``SCALE``, so that it pays only if it helps for long.
 REST_WEIGHT = 0.03
+#: The model has left the track where it is farther from it than this, m.
+APART = 0.08
 #: The first horizon of a search, s, and its growth.
 FIRST_HORIZON = 0.8
 GROWTH = 1.5
@@ -216,6 +218,16 @@ def _distinct(vectors: Floats, cost: Floats, steps: Floats, count: int) -> Float
             chosen.append(scaled)
     kept: Floats = np.array(chosen).reshape(-1, steps.size) * steps
     return kept
+
+
+def leaves(errors: Floats, time: Floats) -> float:
+    """The first time at which the model has left the track, s; infinite if it never has.
+
+    Args:
+        errors: Model minus track, m, shape (n, 2).
+        time: Of each, s, shape (n,).
+    """
+    return float(time[np.hypot(*errors.T) > APART].min(initial=np.inf))
 
 
 def root_mean_square(found: Floats) -> float:

@@ -259,9 +259,15 @@ class TableModel:
 
     def size(self, vector: Floats) -> tuple[float, float]:
         """Width and length of the playing area, m."""
-        own = dict(zip(self.names, vector.tolist(), strict=True))
         width, length = self._size
-        return own.get("table.width", width), own.get("table.length", length)
+        return (
+            self._value("table.width", vector, width),
+            self._value("table.length", vector, length),
+        )
+
+    def _value(self, name: str, vector: Floats, held: float) -> float:
+        """A number of a vector; ``held`` if it is not free."""
+        return float(vector[self.names.index(name)]) if name in self.names else held
 
     def _inside(self, place: Floats, vector: Floats) -> Floats:
         """A place with the ball outside the noses: one that is seen in a nose touched it.
@@ -270,8 +276,8 @@ class TableModel:
         """
         if self._has_pockets or self._height is None:
             return place
-        own = dict(zip(self.names, vector.tolist(), strict=True))
-        above = own.get("table.cushion_height", self._height) - self._ball_radius
+        height = self._value("table.cushion_height", vector, self._height)
+        above = height - self._ball_radius
         touching = np.sqrt(max(self._ball_radius**2 - above**2, 0.0)) + TOUCHING
         moved: Floats = np.clip(place, touching, np.array(self.size(vector)) - touching)
         return moved
