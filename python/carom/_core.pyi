@@ -13,6 +13,7 @@ from carom.plan.options import Goal, Sampling, Search
 from carom.player.thinking import Thinking
 
 __all__ = [
+    "MOST_SAMPLES",
     "TIP",
     "BallTracks",
     "Candidates",
@@ -93,6 +94,7 @@ __all__ = [
 
 __version__: str
 TIP: float
+MOST_SAMPLES: int
 
 # Speed, azimuth, elevation, side, height; an elevation of None is the default one.
 _Strike = tuple[float, float, float | None, float, float]

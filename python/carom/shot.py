@@ -314,6 +314,15 @@ class Shot:
         time = None if until is None else arguments.number("until", until)
         return self._wrap(self._core.with_until(time))
 
+    @property
+    def track(self) -> dict[str, NDArray[np.float64]]:
+        """Where a camera saw the balls, by id; empty if the shot file has no ``track``.
+
+        Each array has the shape (n, 3): time since the strike, s, and x and y of the centre, m.
+        """
+        entries = self._source().get("track", ())
+        return {entry["ball"]: np.array(entry["samples"], float) for entry in entries}
+
     def geometry(self) -> dict[str, Any]:
         """The table's dimensions, cushions and pockets, m, origin at the bottom left corner."""
         return self._core.geometry()

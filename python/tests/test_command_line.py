@@ -559,7 +559,9 @@ def test_learn_table_and_strikes_write_what_they_found(run: CommandLine, tmp_pat
     names = [path.name for path in sorted(folder.iterdir())]
     assert names == ["0001.json", "0002.json", "strikes.json"]
     assert "wrote 2 shots" in done.stderr
-    found = carom.Shot.load(folder / "0001.json").strike
+    shot = carom.Shot.load(folder / "0001.json")
+    assert list(shot.track) == ["1", "2", "3"]
+    found = shot.strike
     assert found is not None
     assert found.azimuth_deg == pytest.approx(50.0, abs=2.0)
     refused(run("learn", "table", str(film), "--free", "colour"), "cannot be learned")

@@ -11,8 +11,9 @@ import numpy as np
 import pytest
 from carom import learn
 from carom.errors import CaromError, InputError
+from carom.learn import filmed_strikes
 from carom.learn.observation import Observation
-from carom.learn.table_model import TableModel
+from carom.learn.table_model import Frame, TableModel
 from scipy import stats
 
 TRUTH = {
@@ -111,6 +112,35 @@ def test_places_of_rest_are_found_with_the_strike(
 def test_a_place_of_rest_needs_an_error_in_metres(filmed: learn.SyntheticTracks) -> None:
     with pytest.raises(InputError, match=r"^rest: 1.5 m is not the error .*such as 0.0015"):
         learn.strikes(filmed.tracks, rest=1.5)
+
+
+def test_the_shot_of_a_strike_has_the_film_on_the_table(
+    filmed: learn.SyntheticTracks, learned: learn.Posterior
+) -> None:
+    """Its track is in the frame and on the clock of the simulation."""
+    (found,) = learn.strikes(filmed.tracks[:1], learned, starts=24)
+    track = found.shot.track
+    assert list(track) == found.shot.ids
+    seen = filmed.tracks[0].balls["1"]
+    assert track["1"].shape == (len(seen), 3)
+    assert track["1"][0, 0] == pytest.approx(-found.clock, abs=1e-6)
+    offset = track["1"][:, 1:] - seen.position
+    assert np.abs(offset - learned.frame.offset).max() < 1e-5
+    trace = found.shot.simulate()
+    early = track["1"][(track["1"][:, 0] > 0.0) & (track["1"][:, 0] < 1.0)]
+    model = trace.at(early[:, 0]).position[:, found.shot.ids.index("1"), :2]
+    assert np.hypot(*(model - early[:, 1:]).T).max() < 0.01
+    again = carom.Shot.from_json(found.shot.to_json())
+    assert np.array_equal(again.track["1"], track["1"])
+
+
+def test_a_film_with_too_many_pictures_is_thinned() -> None:
+    time = np.arange(15_000) / 1000.0
+    seen = learn.TrackedBall(time, np.column_stack((0.3 + 0.001 * time, time / 20.0)))
+    shot = learn.TrackedShot("1", {"1": seen})
+    (entry,) = filmed_strikes._track(shot, Frame(), (1.42, 2.84), clock=0.5)
+    assert entry["samples"].shape == (7500, 3)
+    assert entry["samples"][:2, 0].tolist() == [-0.5, -0.498]
 
 
 def test_samples_of_a_strike_spread_about_it(

@@ -44,6 +44,19 @@ def test_a_shot_can_be_sent_to_another_process(pot: dict[str, Any]) -> None:
     assert pickle.loads(pickle.dumps(shot)) == shot
 
 
+def test_a_track_stays_with_the_shot(pot: dict[str, Any]) -> None:
+    assert Shot.from_dict(pot).track == {}
+    samples = [[-0.04, 0.7, 1.0], [0.0, 0.7, 1.0], [0.04, 0.71, 1.0]]
+    track = [{"ball": "1", "samples": samples}]
+    shot = Shot.from_dict(pot | {"track": track})
+    assert shot.to_dict()["track"] == track
+    assert shot == Shot.from_dict(pot)
+    for same in (shot, pickle.loads(pickle.dumps(shot)), shot.with_strike(speed=1.0)):
+        assert same.track["1"].tolist() == samples
+    with pytest.raises(InputError, match=r"^track\[0\].ball: no ball has the id"):
+        Shot.from_dict(pot | {"track": [{"ball": "9", "samples": samples}]})
+
+
 def test_numpy_scalars_and_arrays_are_accepted_as_numbers(pot: dict[str, Any]) -> None:
     pot["balls"][1]["position"] = [0.635, 1.5]
     plain = Shot.from_dict(pot)

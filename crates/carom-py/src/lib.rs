@@ -84,6 +84,7 @@ mod _core {
     #[pymodule_init]
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
-        module.add("TIP", carom::resolve::cue_ball::TIP)
+        module.add("TIP", carom::resolve::cue_ball::TIP)?;
+        module.add("MOST_SAMPLES", carom::format::MOST_SAMPLES)
     }
 }

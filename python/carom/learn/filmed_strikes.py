@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
+from carom._core import MOST_SAMPLES
 from carom.arguments import cores, number, whole
 from carom.errors import InputError
 from carom.lazy import np
@@ -14,7 +15,7 @@ from carom.learn.observation import Observation, observe
 from carom.learn.posterior import LearnedNumbers
 from carom.learn.strike_posterior import strike_samples
 from carom.learn.strike_search import STEPS, StrikeProblem, search
-from carom.learn.table_model import POLICIES, TableModel
+from carom.learn.table_model import POLICIES, Frame, TableModel
 from carom.learn.tracks import TrackedShot, Tracks
 from carom.progress import progress_bar
 from carom.shot import Shot
@@ -33,7 +34,8 @@ class FilmedStrike:
 
     Attributes:
         name: The shot's name in the tracks.
-        shot: The shot with this strike; ``shot.simulate()`` replays what was filmed.
+        shot: The shot with this strike; ``shot.simulate()`` replays what was filmed, and
+            ``shot.track`` has what the camera saw.
         clock: Time of the strike after the first picture, s.
         rmse: Root mean square distance of model and track over all balls and the whole time, m.
         rmse_3s: The same for the first three seconds after the ball moves.
@@ -116,7 +118,10 @@ def strikes(
         shot, frame = model.shot(observed, vector)
         problem = StrikeProblem(observed, shot, frame, rest)
         vectors, _ = search(problem, starts, seed)
-        return _filmed(observed, problem, vectors, seed) if len(vectors) else None
+        if not len(vectors):
+            return None
+        track = _track(tracked, frame, model.size(vector), clock=vectors[0, len(STEPS) - 1])
+        return _filmed(observed, problem, vectors, seed, track)
 
     found = []
     with progress_bar(len(tracks), show=progress, what="strikes") as done:
@@ -127,8 +132,37 @@ def strikes(
     return found
 
 
+def _track(
+    tracked: TrackedShot, frame: Frame, size: tuple[float, float], clock: float
+) -> list[dict[str, Any]]:
+    """What the camera saw, as the ``track`` of a shot file.
+
+    Args:
+        tracked: The filmed shot.
+        frame: Where its places lie on the table.
+        size: Width and length of the table, m.
+        clock: Time of the strike after the first picture, s.
+    """
+    entries = []
+    for name, ball in tracked.balls.items():
+        seen = ball.seen
+        if not len(seen):
+            continue
+        # Two samples of one microsecond would not be in the order of time.
+        times, chosen = np.unique(np.round(seen.time - tracked.start - clock, 6), return_index=True)
+        places = np.round(frame.to_table(seen.position[chosen], size), 5)
+        samples = np.column_stack((times, places))
+        # Of a film with more pictures every second, third or further one.
+        entries.append({"ball": name, "samples": samples[:: -(-len(samples) // MOST_SAMPLES)]})
+    return entries
+
+
 def _filmed(
-    observed: Observation, problem: StrikeProblem, vectors: NDArray[np.float64], seed: int
+    observed: Observation,
+    problem: StrikeProblem,
+    vectors: NDArray[np.float64],
+    seed: int,
+    track: list[dict[str, Any]],
 ) -> FilmedStrike:
     azimuth, speed, side, height, elevation, clock = vectors[0, : len(STEPS)].tolist()
     file = problem.shot.to_dict()
@@ -143,6 +177,7 @@ def _filmed(
         "side": side,
         "height": height,
     }
+    file["track"] = track
     rmse, early = fit_error(problem, vectors[0])
     samples = strike_samples(problem, vectors[0], seed)
     others = vectors[1:, : len(STEPS)]

@@ -20,6 +20,7 @@ import { mountKeys } from "./input/keys.ts";
 import { mountLayoutPanel } from "./layout/layout-panel.ts";
 import { mountRefusal } from "./shell/notices.ts";
 import { mountPhysicsPanel } from "./physics/physics-panel.ts";
+import { mountFilmLegend } from "./replay/film-legend.ts";
 import { mountState } from "./replay/replay-panel.ts";
 import { mountSound } from "./replay/replay-sound.ts";
 import { mountTimeline } from "./replay/timeline.ts";
@@ -95,6 +96,7 @@ function mountParts(store: Store, context: Context, welcome: boolean): () => voi
   mountFriend(place("game-bar"), store, context);
   mountReload(store);
   mountDiamonds(place("stage"), store, context);
+  mountFilmLegend(place("stage"), store);
   const showSteps = mountOpening(place("shoot-button"), store, context, welcome);
   const openHelp = mountHelp(place("help") as HTMLDialogElement, store, showSteps);
   mountGestures(table, store, context);

@@ -1,6 +1,6 @@
 /** Updates the viewer from the state. No other module changes what the viewer shows, except films. */
 
-import type { Call, Engine, Strike, Trace } from "../engine/index.ts";
+import type { Call, Engine, FilmedBall, Strike, Trace } from "../engine/index.ts";
 import { STRIDE } from "../engine/types.ts";
 import type { Area, BallPath, CuePose, Density, Mark, Viewer } from "../viewer/index.ts";
 import { VERTEX } from "../viewer/viewer-types.ts";
@@ -8,6 +8,7 @@ import { stopHandle } from "./analyse/stop-handle.ts";
 import type { Context } from "./common/context.ts";
 import type { AimedShot, Attempt, Session } from "./document/document.ts";
 import { areasOf } from "./game/game-areas.ts";
+import { filmOf } from "./document/filmed.ts";
 import type { Game, Guide } from "./document/stored-game.ts";
 import { shownGuide } from "./document/guide-extent.ts";
 import { endOfAimLine, shortPaths } from "./game/guide/short-paths.ts";
@@ -17,6 +18,7 @@ import { canAim, standing } from "./game/awaited-turn.ts";
 import { firstMeeting } from "./pot/first-contact.ts";
 import { contactLinesOf, lineFrom } from "./pot/contact-lines.ts";
 import { strokePull } from "./replay/replay-clock.ts";
+import { filmedMarks, filmedPaths } from "./replay/filmed-paths.ts";
 import { timedPaths } from "./replay/trail-paths.ts";
 import type { State, Store } from "./document/store.ts";
 
@@ -30,6 +32,7 @@ const PULL_PER_SPEED = 0.03;
 const LONGEST_PULL = 0.35;
 
 const NO_AREAS: readonly Area[] = [];
+const NO_FILM: readonly FilmedBall[] = [];
 
 /** What has areas on the cloth: an attempt or else a game, a line of the analysis, and the stop. */
 interface Marked {
@@ -37,6 +40,15 @@ interface Marked {
   readonly game?: Game | null;
   readonly others?: readonly Area[];
   readonly stop?: Area | null;
+}
+
+/** What is drawn beside the paths of a trace. */
+interface Beside {
+  /** Whether the lines of the first contact are drawn. */
+  readonly withLines?: boolean;
+  readonly film?: readonly FilmedBall[];
+  /** The shot before the errors of its player, which is shown as an aimed one is. */
+  readonly intended?: Trace | null;
 }
 
 export interface SceneStats {
@@ -62,6 +74,7 @@ export class Scene {
   #extent: Guide | "trace" = "full";
   #hasContactLines = false;
   #intended: Trace | null = null;
+  #film: readonly FilmedBall[] = NO_FILM;
   #states = new Float64Array(0);
 
   constructor(store: Store, context: Pick<Context, "viewer" | "loop" | "engine">) {
@@ -100,10 +113,11 @@ export class Scene {
 
   #replay(trace: Trace, { replay: { time, stroke } }: Session): void {
     this.#setBalls(trace.statesAt(time, this.#buffer(trace.shot.balls.length)));
-    this.#setPaths(trace, "trace", false, intendedTrace(this.#store, this.#engine));
+    const film = this.#filmOfShot();
+    this.#setPaths(trace, "trace", { film, intended: intendedTrace(this.#store, this.#engine) });
     this.#viewer.setTime(time);
     this.#viewer.setCue(stroke > 0 ? stroking(trace, stroke) : null);
-    this.#viewer.setMarks([]);
+    this.#viewer.setMarks(filmedMarks(film, trace.shot.balls, time));
     this.#showAreas({ attempt: this.#store.session.attempt });
     this.#light(null);
   }
@@ -125,7 +139,10 @@ export class Scene {
     if (refused) states.set(refused.position, refused.index * STRIDE);
     this.#setBalls(states);
     this.#viewer.setTime(null);
-    this.#setPaths(trace, guide, session.overlays.contact && guide === "full");
+    this.#setPaths(trace, guide, {
+      withLines: session.overlays.contact && guide === "full",
+      film: preview ? NO_FILM : this.#filmOfShot(),
+    });
     this.#viewer.setCue(aims && shot.struck !== null ? pose(shot.strike!, shot.struck) : null);
     this.#viewer.setMarks([
       ...(trace ? marks(trace, guide) : []),
@@ -182,17 +199,19 @@ export class Scene {
     this.#viewer.setBalls(states);
   }
 
-  /** @param intended The shot before the errors of its player, which is shown as an aimed one is. */
-  #setPaths(
-    trace: Trace | null,
-    extent: Guide | "trace",
-    withLines = false,
-    intended: Trace | null = null,
-  ): void {
+  /** The film of the present shot. */
+  #filmOfShot(): readonly FilmedBall[] {
+    const film = filmOf(this.#store.document);
+    return film.length > 0 ? film : NO_FILM;
+  }
+
+  #setPaths(trace: Trace | null, extent: Guide | "trace", beside: Beside): void {
+    const { withLines = false, film = NO_FILM, intended = null } = beside;
     // Ghost and replay show the same trace in different styles.
-    const isSame = trace === this.#paths && intended === this.#intended;
+    const isSame = trace === this.#paths && intended === this.#intended && film === this.#film;
     if (isSame && extent === this.#extent && withLines === this.#hasContactLines) return;
     this.#intended = intended;
+    this.#film = film;
     this.#paths = trace;
     this.#extent = extent;
     this.#hasContactLines = withLines;
@@ -205,7 +224,11 @@ export class Scene {
     if (intended) paths.push(...aimedPaths(intended));
     const long = paths.filter(({ points }) => moves(points));
     this.stats.paths = long.length;
-    this.#viewer.setPaths([...long, ...(withLines && trace ? contactLines(trace) : [])]);
+    this.#viewer.setPaths([
+      ...long,
+      ...filmedPaths(film, (trace?.shot ?? this.#store.shot).balls),
+      ...(withLines && trace ? contactLines(trace) : []),
+    ]);
   }
 }
 

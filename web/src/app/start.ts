@@ -57,10 +57,10 @@ export async function startOf(engine: Engine): Promise<Start> {
  */
 function fromEmbedded(engine: Engine, first: Document, json: string, plays: boolean): Start {
   try {
-    const { shot, trace } = readFile(engine, json);
+    const { shot, trace, filmed } = readFile(engine, json);
     engine.shot(shot).free();
     return {
-      ...showing({ ...first, shot }),
+      ...showing({ ...first, shot, filmed }),
       begin: (store, context) => {
         if (trace && plays) playThenAim(store, context, trace);
         else if (trace) replay(store, trace, 0, false);

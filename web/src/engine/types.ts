@@ -23,6 +23,16 @@ export interface ShotFile {
   /** End time, s: the shot ends there, also if balls still move. */
   readonly until?: number;
   readonly max_events?: number;
+  /** Where a camera saw the balls; it changes nothing in the shot. */
+  readonly track?: readonly FilmedBall[];
+}
+
+/** Where a camera saw a ball. */
+export interface FilmedBall {
+  /** Id of the ball. */
+  readonly ball: string;
+  /** Time since the strike, s, and place of the centre, m. The times increase. */
+  readonly samples: readonly (readonly [t: number, x: number, y: number])[];
 }
 
 export interface BallEntry {

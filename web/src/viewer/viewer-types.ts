@@ -33,8 +33,11 @@ export const VERTEX = 4;
 export interface BallPath {
   ball: number;
   points: Float64Array;
-  /** `ghost`: a prediction, light and dashed. `trace`: a played shot. `guide`: a thin line to aim by. */
-  style: "ghost" | "trace" | "contact-line";
+  /**
+   * `ghost`: a prediction, light and dashed. `trace`: a played shot. `contact-line`: a thin line to aim by.
+   * `filmed`: what a camera saw, dotted.
+   */
+  style: "ghost" | "trace" | "contact-line" | "filmed";
 }
 
 /** The cue behind the ball that it strikes. */
@@ -52,8 +55,8 @@ export interface CuePose {
 
 /**
  * A mark at `position`. `kind` is the type of an event (`ball-collision`, `rail-collision`, …), shown as a
- * small ring in its colour; `ghost-ball`, a translucent ball; or `refused`, a red ball at a place where no
- * ball may lie.
+ * small ring in its colour; `ghost-ball`, a translucent ball; `filmed`, a ring of the ball's size and colour;
+ * or `refused`, a red ball at a place where no ball may lie.
  */
 export interface Mark {
   position: readonly [number, number, number];

@@ -26,6 +26,7 @@ mod shot;
 mod strike;
 mod table;
 mod trace;
+mod track;
 
 pub use dated::{with_dated_names, with_value_dated};
 pub use key_path::KeyPath;
@@ -36,3 +37,4 @@ pub use physics_number::PhysicsNumber;
 pub use read::Reader;
 pub use shot::{DefaultElevation, PresetNames, SHOT_FORMAT, ShotFile, repaired};
 pub use trace::TRACE_FORMAT;
+pub use track::{FilmedBall, MOST_SAMPLES};

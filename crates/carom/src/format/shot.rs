@@ -11,6 +11,7 @@ use super::dated::{with_dated_names, with_named_dated};
 use super::key_path::KeyPath;
 use super::node::Node;
 use super::read::At;
+use super::track::{self, FilmedBall};
 use super::{angle, balls, cling, physics, strike, table};
 use crate::error::Error;
 use crate::resolve::cue_ball::Strike;
@@ -22,7 +23,7 @@ use crate::shot::{
 pub const SHOT_FORMAT: &str = "carom-shot/1";
 
 const KEYS: &[&str] =
-    &["format", "table", "physics", "balls", "strike", "cling", "until", "max_events"];
+    &["format", "table", "physics", "balls", "strike", "cling", "until", "max_events", "track"];
 
 /// What a written file says of an elevation that is the default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -166,6 +167,29 @@ impl ShotFile {
         let mut node = Node::clone(source);
         node.set("cling", cling::write(shot.cling()));
         Self { shot, source: Some(node.into()) }
+    }
+
+    /// Where a camera saw the balls; empty for a file without `track`.
+    pub fn track(&self) -> Vec<FilmedBall> {
+        let written = self.source.as_ref().and_then(|source| source.get("track"));
+        // The file was checked when it was read.
+        written.map_or_else(Vec::new, |node| {
+            track::read(&At::root(node), self.shot.balls()).unwrap_or_default()
+        })
+    }
+
+    /// The same file with another `track`; without one if `track` is empty.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for a track that a shot file could not have.
+    pub fn with_track(&self, track: &[FilmedBall]) -> Result<Self, Error> {
+        let mut node = self.written(DefaultElevation::Omitted, PresetNames::AsRead).into_owned();
+        if track.is_empty() {
+            node.remove("track");
+        } else {
+            node.set("track", track::write(track));
+        }
+        Self::from_node(node)
     }
 
     /// The same file with another end time, s since the strike; `None` for an end at rest.
@@ -331,6 +355,9 @@ fn read(file: &Node) -> Result<Shot, Error> {
         None => DEFAULT_MAX_EVENTS,
     };
     let cling = fields.get("cling").map_or(Ok(Cling::NONE), |at| cling::read(&at))?;
+    if let Some(at) = fields.get("track") {
+        track::read(&at, &balls)?;
+    }
     let strike = struck;
     Shot::new(Parts {
         table,

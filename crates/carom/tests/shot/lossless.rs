@@ -1,6 +1,6 @@
 //! Shot files are read and written without losing a bit or a word.
 
-use carom::format::{KeyPath, Node};
+use carom::format::{FilmedBall, KeyPath, Node};
 use carom::resolve::cue_ball::Strike;
 use carom::{Physics, Shot, ShotFile};
 
@@ -294,4 +294,23 @@ fn speed_bands_keep_their_bits_and_replace_those_of_the_base() {
     let one = one.unwrap_or_else(|e| panic!("{e}"));
     let changed = shot.with_values([(&one, 0.006.into())]).unwrap_or_else(|e| panic!("{e}"));
     assert_eq!(changed.physics(), read(&bands.replace("0.0045", "0.006")).physics());
+}
+
+#[test]
+fn a_track_stays_in_the_file_and_changes_nothing_in_the_shot() {
+    let bare = ShotFile::from_json(&SHOT.replace(SPIN, "")).unwrap();
+    assert!(bare.track().is_empty());
+    let samples = vec![[-0.04, 0.7, 1.0], [0.0, 0.7, 1.0], [0.04, 0.71, 1.000_01]];
+    let track = [FilmedBall { ball: "1".into(), samples }];
+    let filmed = bare.with_track(&track).unwrap();
+    assert_eq!(filmed, bare);
+    assert_eq!(filmed.simulate().unwrap().hash(), bare.simulate().unwrap().hash());
+    let again = ShotFile::from_json(&filmed.to_json()).unwrap();
+    assert_eq!(again.track(), track);
+    assert_eq!(again.to_json(), filmed.to_json());
+    let strike = Strike { speed: 1.0, ..again.strike().unwrap().1 };
+    assert_eq!(again.with_strike(&strike).unwrap().track(), track);
+    assert!(again.with_track(&[]).unwrap().track().is_empty());
+    let other = [FilmedBall { ball: "2".into(), samples: vec![[0.0, 1.0, 1.0]] }];
+    assert!(bare.with_track(&other).is_err());
 }

@@ -476,3 +476,27 @@ fn a_surface_that_does_not_exist_is_refused_with_the_known_ones() {
         Shot::from_json(&edited(BASE, r#""ball_ball": {"friction": "used"}"#)).expect("used");
     assert_eq!(used.physics().ball_ball.friction, carom::physics::ball_surface::USED);
 }
+
+#[test]
+fn a_track_names_balls_of_the_shot_and_has_times_that_increase() {
+    let track = |text: &str, place: &str, words: &[&str]| {
+        refused("1000", &format!("1000, \"track\": {text}"), place, words);
+    };
+    let ball = |samples: &str| format!(r#"[{{"ball": "1", "samples": {samples}}}]"#);
+    let of = |samples: &str, place: &str, words: &[&str]| {
+        track(&ball(samples), &format!("track[0].samples{place}"), words);
+    };
+    let cue = r#"{"ball": "cue", "samples": [[0, 1, 1]]}"#;
+    track("{}", "track", &["a list of filmed balls"]);
+    track(r#"[{"ball": "cue"}]"#, "track[0].samples", &["the key is missing"]);
+    track(r#"[{"ball": "2", "samples": [[0, 1, 1]]}]"#, "track[0].ball", &["no ball has the id"]);
+    track(&format!("[{cue}, {cue}]"), "track[1].ball", &["listed twice"]);
+    track(r#"[{"ball": "1", "sample": []}]"#, "track[0].sample", &["`samples`"]);
+    of("[]", "", &["found 0 samples", "1 to 10000"]);
+    of("[[0, 1]]", "[0]", &["a list of 2", "[t, x, y]"]);
+    of("[[0, 1, null]]", "[0][2]", &["null"]);
+    of("[[0, 1, 1e10]]", "[0][2]", &["out of range"]);
+    of("[[0, 1, 1], [0, 1, 1]]", "[1]", &["not after the sample before it"]);
+    let many: Vec<String> = (0..=10_000).map(|t| format!("[{t}, 1, 1]")).collect();
+    of(&format!("[{}]", many.join(",")), "", &["found 10001 samples"]);
+}

@@ -5,6 +5,7 @@ import type { Area, Density } from "../../viewer/index.ts";
 import type { Orientation } from "../common/seen.ts";
 import type { SpeedUnit } from "../common/units.ts";
 import type { AimedShot } from "./aimed-shot.ts";
+import type { Filmed } from "./filmed.ts";
 import type { Game } from "./stored-game.ts";
 import type { Tree } from "./shot-tree.ts";
 
@@ -23,6 +24,8 @@ export interface Document {
   readonly tree?: Tree | undefined;
   /** The shot of a game that is analysed; the tree then has its variations. */
   readonly study?: Study | undefined;
+  /** What a camera saw of a shot. */
+  readonly filmed?: Filmed | undefined;
 }
 
 /** The analysis of a shot of a game, and what comes back at its end. */

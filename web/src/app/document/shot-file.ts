@@ -4,6 +4,7 @@ import { CaromError, type BallEntry, type Engine, type Noise } from "../../engin
 import type { ShotFile, StrikeEntry, Trace } from "../../engine/index.ts";
 import { detailedText, PageError } from "../common/refusals.ts";
 import type { AimedShot, Document } from "./document.ts";
+import { type Filmed, splitFilm } from "./filmed.ts";
 import { t } from "../words/translate.ts";
 
 /** The strike of a shot whose file has none: a soft shot along the table. */
@@ -26,6 +27,8 @@ export interface FileContents {
   readonly shot: AimedShot;
   /** The trace that is replayed first; null: the page opens for aiming. */
   readonly trace: Trace | null;
+  /** What a camera saw of the shot. */
+  readonly filmed: Filmed | undefined;
 }
 
 /**
@@ -37,14 +40,19 @@ export function readFile(engine: Engine, json: string): FileContents {
   const format = formatOf(json);
   if (format === "carom-trace/1") {
     const trace = engine.trace(json);
-    return { shot: startOf(trace.shot.file), trace };
+    return { trace, ...contents(startOf(trace.shot.file)) };
   }
   const shot = engine.shot(json);
   const file = shot.source;
   const moving = file.balls.some((ball) => ball.velocity ?? ball.angular_velocity);
-  if (!moving || file.strike) return { shot: aimed(file), trace: null };
+  if (!moving || file.strike) return { trace: null, ...contents(aimed(file)) };
   // A cue cannot strike balls that already move: show the replay, and aim where the balls started.
-  return { shot: startOf(file), trace: shot.simulate() };
+  return { trace: shot.simulate(), ...contents(startOf(file)) };
+}
+
+function contents(file: AimedShot): Pick<FileContents, "shot" | "filmed"> {
+  const { shot, filmed } = splitFilm(file);
+  return { shot, filmed };
 }
 
 /**

@@ -5,6 +5,7 @@ import type { Context } from "../common/context.ts";
 import { detailedText, PageError } from "../common/refusals.ts";
 import type { Slices } from "../common/slices.ts";
 import type { Document, View } from "../document/document.ts";
+import { splitFilm } from "../document/filmed.ts";
 import { aimed, ballsOf } from "../document/shot-file.ts";
 import { treeEngine } from "../document/balls-after.ts";
 import type { Tree } from "../document/shot-tree.ts";
@@ -69,7 +70,7 @@ function* checked(engine: Engine, state: LinkState): Slices<LinkContents> {
     return text === null ? undefined : yield* treeReading(text, treeEngine(engine));
   }
   const document = {
-    shot: aimed(shot),
+    ...splitFilm(aimed(shot)),
     noise,
     seed,
     game: game && checkedGame(engine, game),

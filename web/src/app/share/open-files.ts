@@ -55,9 +55,9 @@ async function open(store: Store, context: Context, text: string): Promise<boole
       const game = await store.open(gameOfRecord(engine, record));
       return game !== null && store.apply(game, t("change.open-record"));
     }
-    const { shot, trace } = readFile(engine, text);
+    const { shot, trace, filmed } = readFile(engine, text);
     const opened = store.apply(
-      { shot, game: null },
+      { shot, game: null, filmed },
       t(trace ? "change.open-trace" : "change.open-shot"),
     );
     if (opened && trace) replay(store, trace, 0, false);

@@ -1,10 +1,11 @@
 /** The Share dialog, and the button that opens files. */
 
 import "./share-menu.css";
-import type { Engine, FrameRecord } from "../../engine/index.ts";
+import type { Engine, FrameRecord, ShotFile } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { type Child, h, icon, setText, uniqueId } from "../common/dom.ts";
 import { plainRecordOf, recordOf } from "../game/game-record.ts";
+import { filmOf } from "../document/filmed.ts";
 import type { Store } from "../document/store.ts";
 import { isLocal, link, linkText, ownHost } from "./address.ts";
 import { copy } from "./clipboard.ts";
@@ -23,7 +24,7 @@ export function mountShare(root: HTMLElement, store: Store, context: Context): v
   const close = action(t("share.close"), "close-share", () => dialog.close());
   const copier = mountCopier();
   const linkPart = mountLink(store, context.engine, copier.copy);
-  const shotText = (): string => `${toPrettyJson(store.shot.file)}\n`;
+  const shotText = (): string => `${toPrettyJson(filmedShot(store))}\n`;
   dialog.append(
     h("div", { class: "head" }, title, close),
     linkPart.section,
@@ -87,6 +88,12 @@ export function mountShare(root: HTMLElement, store: Store, context: Context): v
   mountDrop(store, context);
 }
 
+/** The shot file, with what a camera saw of it. */
+function filmedShot(store: Store): ShotFile {
+  const film = filmOf(store.document);
+  return { ...store.shot.file, ...(film.length > 0 && { track: film }) };
+}
+
 function mountLink(
   store: Store,
   engine: Engine,
@@ -110,13 +117,24 @@ function mountLink(
   const none = h("p", { class: "hint" }, t(local ? "share.local" : "share.no-link"));
   const host = ownHost();
   const here = host !== null && h("p", { class: "hint" }, t("share.here", { host }));
+  const noFilm = h("p", { class: "hint", id: "link-without-film" }, t("share.no-film"));
   return {
-    section: section(t("share.link-heading"), label, address, button, local && save, none, here),
+    section: section(
+      t("share.link-heading"),
+      label,
+      address,
+      button,
+      local && save,
+      none,
+      noFilm,
+      here,
+    ),
     refresh: () => {
       const text = local ? linkText(store, engine) : link(store, engine);
       address.value = text ?? "";
       address.hidden = button.hidden = text === null;
       none.hidden = text !== null && !local;
+      noFilm.hidden = text === null || filmOf(store.document).length === 0;
     },
   };
 }

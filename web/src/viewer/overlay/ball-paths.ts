@@ -13,9 +13,17 @@ export class Paths {
   readonly #ghosts = new Lines({ width: 1.8, opacity: 0.62, dash: [0.022, 0.014] });
   readonly #traces = new Lines({ width: 2.4, opacity: 0.92 });
   readonly #contactLines = new Lines({ width: 1.3, opacity: 0.5 });
+  readonly #filmed = new Lines({ width: 2, opacity: 0.95, dash: [0.004, 0.012] });
   readonly #flights = new Lines({ width: 3, opacity: 0.95, dash: [0.007, 0.017] });
   readonly #shadows = new Lines({ width: 3.2, opacity: 0.42 });
-  readonly #all = [this.#shadows, this.#contactLines, this.#ghosts, this.#traces, this.#flights];
+  readonly #all = [
+    this.#shadows,
+    this.#contactLines,
+    this.#ghosts,
+    this.#traces,
+    this.#filmed,
+    this.#flights,
+  ];
   readonly #color = new Color();
   #paths: readonly BallPath[] = [];
   /** Time of the replay, s; null: whole paths. */
@@ -32,7 +40,8 @@ export class Paths {
 
   /** Shows trails at a time (s). After the end of all paths, and for null, the paths are whole. */
   setTime(time: number | null, balls: Balls, cloth: string): void {
-    const ends = Math.max(...this.#paths.map(({ points }) => points.at(-1)!));
+    const played = this.#paths.filter(({ style }) => style !== "filmed");
+    const ends = Math.max(...played.map(({ points }) => points.at(-1)!));
     const shown = time !== null && time < ends ? time : null;
     if (shown === this.#time) return;
     this.#time = shown;
@@ -61,6 +70,7 @@ export class Paths {
 
   #lines(style: BallPath["style"]): Lines {
     if (style === "contact-line") return this.#contactLines;
+    if (style === "filmed") return this.#filmed;
     return style === "ghost" ? this.#ghosts : this.#traces;
   }
 

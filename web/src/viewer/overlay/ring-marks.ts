@@ -29,12 +29,15 @@ const REFUSED = "#ff2a1a";
 const REFUSED_SIZE = 1.12;
 /** Inner and outer radius of an event's ring, m. */
 const EVENT_RING = [0.009, 0.0135] as const;
+/** Inner and outer radius of the ring at a filmed ball, ball radii. */
+const FILMED_RING = [1, 1.18] as const;
 /** Inner and outer radius of the selected ball's ring, ball radii. */
 const SELECTION_RING = [1.22, 1.42] as const;
 
 export class Marks {
   readonly group = new Group();
   readonly #ring = new RingGeometry(...EVENT_RING, 28);
+  readonly #filmed = new RingGeometry(...FILMED_RING, 48);
   readonly #ball = new SphereGeometry(1, 24, 12);
   readonly #materials = new Map<string, MeshBasicMaterial | MeshLambertMaterial>();
   readonly #selection = new Mesh(
@@ -58,14 +61,21 @@ export class Marks {
     for (const mesh of this.#used) this.group.remove(mesh);
     this.#used = marks.map((mark) => {
       const [x, y, z] = mark.position;
+      const filmed = mark.kind === "filmed";
       const refused = mark.kind === "refused";
       const ghost = refused || mark.kind === "ghost-ball";
-      const mesh = new Mesh<BufferGeometry>(ghost ? this.#ball : this.#ring);
+      const ball = mark.ball ?? 0;
+      const color = balls.looks[ball]?.path ?? "#ffffff";
+      const radius = ball < balls.count ? balls.info(ball).radius : z;
+      const mesh = new Mesh<BufferGeometry>(
+        ghost ? this.#ball : filmed ? this.#filmed : this.#ring,
+      );
       if (ghost) {
-        const ball = mark.ball ?? 0;
-        mesh.material = this.#ghost(refused ? REFUSED : (balls.looks[ball]?.path ?? "#ffffff"));
-        const radius = ball < balls.count ? balls.info(ball).radius : z;
+        mesh.material = this.#ghost(refused ? REFUSED : color);
         mesh.scale.setScalar(refused ? REFUSED_SIZE * radius : radius);
+      } else if (filmed) {
+        mesh.material = this.#flat(color);
+        mesh.scale.setScalar(radius);
       } else {
         mesh.material = this.#flat(EVENT_COLORS[mark.kind] ?? "#ffffff");
       }
@@ -88,6 +98,7 @@ export class Marks {
 
   dispose(): void {
     this.#ring.dispose();
+    this.#filmed.dispose();
     this.#ball.dispose();
     for (const material of this.#materials.values()) material.dispose();
     this.#selection.geometry.dispose();

@@ -40,6 +40,8 @@ export const texts: Translation<typeof en.replay> = {
   "replay.plot": "{name}, {unit}",
   "replay.plot-label": "{name} über der Zeit: von {least} bis {most} {unit} in {duration}",
   "replay.triple": "{x}; {y}; {z} m",
+  "film.seen": "Gepunktet: was die Kamera sah.",
+  "film.seen-then": "Gepunktet und als Ring: was die Kamera sah.",
 
   "motion.stationary": "ruht",
   "motion.spinning": "dreht sich",

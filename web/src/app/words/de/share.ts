@@ -26,6 +26,8 @@ export const texts: Translation<typeof en.share> = {
   "share.link-copied": "Link kopiert.",
   "share.here":
     "Diesen Link öffnet nur dieser Computer, denn seine Adresse ist {host}. Andere brauchen eine Seite, die sie erreichen: Setzen Sie, was auf das # folgt, hinter deren Adresse.",
+  "share.no-film":
+    "Der Link enthält die gefilmten Wege nicht: Laden Sie die Stoßdatei herunter, um sie zu behalten.",
   "share.no-link":
     "Im Rahmen einer anderen Seite gibt es keinen Link: Kopieren Sie stattdessen die Stoßdatei.",
   "share.text": "Text zum Kopieren",

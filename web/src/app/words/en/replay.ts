@@ -38,6 +38,8 @@ export const texts = {
   "replay.plot": "{name}, {unit}",
   "replay.plot-label": "{name} against time: from {least} to {most} {unit} in {duration}",
   "replay.triple": "{x}, {y}, {z} m",
+  "film.seen": "Dotted: what the camera saw.",
+  "film.seen-then": "Dotted and ringed: what the camera saw.",
 
   "motion.stationary": "stationary",
   "motion.spinning": "spinning",

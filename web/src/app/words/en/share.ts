@@ -23,6 +23,7 @@ export const texts = {
   "share.link-copied": "Link copied.",
   "share.here":
     "This link opens on this computer only, because its address is {host}. Others need a page that they reach: put what follows the # behind its address.",
+  "share.no-film": "The link does not have the filmed paths: download the shot file to keep them.",
   "share.no-link": "In a frame of another page there is no link: copy the shot file instead.",
   "share.text": "Text to copy",
   "share.not-allowed": "The browser does not allow this page to copy. Here is the text, selected:",

@@ -40,6 +40,8 @@ export const texts: Translation<typeof en.replay> = {
   "replay.plot": "{name}，{unit}",
   "replay.plot-label": "{name}随时间变化：{duration}内从 {least} 到 {most} {unit}",
   "replay.triple": "{x}, {y}, {z} 米",
+  "film.seen": "点线：摄像机拍到的球路。",
+  "film.seen-then": "点线和圆环：摄像机拍到的球路和球。",
 
   "motion.stationary": "静止",
   "motion.spinning": "原地旋转",

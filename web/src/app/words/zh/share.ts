@@ -25,6 +25,7 @@ export const texts: Translation<typeof en.share> = {
   "share.link-copied": "已复制链接。",
   "share.here":
     "此链接的地址是 {host}，只有这台电脑能打开。其他人需要能访问的页面：把 # 及其后面的内容接在那个页面的地址之后。",
+  "share.no-film": "链接不含拍到的球路：要保留它们，请下载击球文件。",
   "share.no-link": "嵌在其他页面中时没有链接：请改为复制击球文件。",
   "share.text": "要复制的文字",
   "share.not-allowed": "浏览器不允许本页面复制。文字已选中，请自行复制：",
