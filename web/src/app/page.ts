@@ -9,8 +9,11 @@ import { mountTree } from "./analyse/tree-panel.ts";
 import type { Context } from "./common/context.ts";
 import { mountPresses } from "./common/press.ts";
 import { mountDock, mountTake } from "./aim/dock.ts";
+import { mountTipWindow } from "./aim/tip-window.ts";
 import { mountBar } from "./game/game-bar.ts";
 import { mountGame } from "./game/game-panel.ts";
+import { AimCloseUp } from "./input/aim-close-up.ts";
+import { mountFineWheel } from "./input/fine-wheel.ts";
 import { mountGestures } from "./input/gestures.ts";
 import { mountCamera, mountHistory, mountPageMenu } from "./shell/header.ts";
 import { mountEntrances } from "./shell/entrances.ts";
@@ -31,7 +34,7 @@ import { mountFriend } from "./share/friend.ts";
 import { mountReload } from "./share/reload.ts";
 import { mountShare } from "./share/share-menu.ts";
 import type { Store } from "./document/store.ts";
-import { mountTabs, whenShown } from "./shell/tabs.ts";
+import { isBesideTable, mountTabs, whenShown } from "./shell/tabs.ts";
 import { mountTools } from "./shell/header-tools.ts";
 import { mountTheme } from "./shell/theme-choice.ts";
 import { mountTrain } from "./train/train-panel.ts";
@@ -57,8 +60,11 @@ export function mountPage(store: Store, context: Context, welcome: boolean): () 
   const openTab = mountTabs(place("tabs"), store);
   mountEntrances(place("entrances"), store);
   mountTimeline(place("timeline"), store, context);
+  const toggleTip = mountTipWindow(place("stage"), store, context);
   mountDock(place("shoot"), store, context, () => {
-    openTab("aim");
+    // A panel at the side has the tip in view; a sheet would cover the table.
+    if (isBesideTable()) openTab("aim");
+    else toggleTip();
   });
   mountChip(place("shoot-button"), store, context, () => {
     openTab("whatif");
@@ -99,7 +105,9 @@ function mountParts(store: Store, context: Context, welcome: boolean): () => voi
   mountFilmLegend(place("stage"), store);
   const showSteps = mountOpening(place("shoot-button"), store, context, welcome);
   const openHelp = mountHelp(place("help") as HTMLDialogElement, store, showSteps);
-  mountGestures(table, store, context);
+  const closeUp = new AimCloseUp(store, context, () => table.getBoundingClientRect());
+  mountGestures(table, store, context, closeUp);
+  mountFineWheel(place("stage"), place("panel-aim"), store, context, closeUp);
   mountKeys(table, { store, context, openHelp });
   store.subscribe((now, before) => {
     if (now.session.mode !== before.session.mode) document.body.dataset.mode = now.session.mode;

@@ -11,11 +11,11 @@ import { areasOf } from "./game/game-areas.ts";
 import { filmOf } from "./document/filmed.ts";
 import type { Game, Guide } from "./document/stored-game.ts";
 import { shownGuide } from "./document/guide-extent.ts";
-import { endOfAimLine, shortPaths } from "./game/guide/short-paths.ts";
+import { shortPaths } from "./game/guide/short-paths.ts";
+import { shownContact } from "./game/guide/shown-contact.ts";
 import { intendedTrace } from "./game/recorded/intended-shots.ts";
 import { presentCall } from "./game/calling.ts";
 import { canAim, standing } from "./game/awaited-turn.ts";
-import { firstMeeting } from "./pot/first-contact.ts";
 import { contactLinesOf, lineFrom } from "./pot/contact-lines.ts";
 import { strokePull } from "./replay/replay-clock.ts";
 import { filmedMarks, filmedPaths } from "./replay/filmed-paths.ts";
@@ -291,11 +291,8 @@ function marks(trace: Trace, guide: Guide): Mark[] {
   const id = struck === null ? null : balls[struck]!.id;
   if (struck === null || id === null) return [];
   const found: Mark[] = [];
-  const contact = firstMeeting(trace, "cue-strike", "ball-collision");
-  if (contact && (guide === "full" || contact.event === endOfAimLine(trace))) {
-    const { position } = contact.event.before[contact.own]!;
-    found.push({ position, kind: "ghost-ball", ball: struck });
-  }
+  const contact = shownContact(trace, guide);
+  if (contact) found.push({ position: contact.ghost, kind: "ghost-ball", ball: struck });
   const { pocketed, off_table } = trace.outcome;
   if (guide === "full" && !off_table.includes(id) && !pocketed.some(([ball]) => ball === id)) {
     const end = trace.statesAt(trace.duration);

@@ -1,5 +1,6 @@
 /** The viewer: draws a table, its balls and a shot in three dimensions. */
 
+export { LOUPE } from "./render/stage.ts";
 export { look, type Look } from "./balls/look.ts";
 export { type Density, RAMP } from "./overlay/density.ts";
 export type {

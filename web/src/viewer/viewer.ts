@@ -16,7 +16,7 @@ import { Paths } from "./overlay/ball-paths.ts";
 import { pocketAt, railAt } from "./pointing.ts";
 import { Lighting } from "./lighting.ts";
 import { Governor, isSoftware, type Level, LEVELS, LOW, STILL } from "./quality.ts";
-import { type Loupe, loupePlace, Stage } from "./render/stage.ts";
+import { type Loupe, loupePlace, Stage, ZOOM } from "./render/stage.ts";
 import { Table } from "./table/drawn-table.ts";
 import { reach } from "./table/table-outline.ts";
 import { clothColor, palette } from "./theme-colors.ts";
@@ -43,6 +43,12 @@ const STILL_DELAY = 400;
 /** Margin around the balls on unbounded cloth, and the least extent that is shown, m. */
 const UNBOUNDED_MARGIN = 0.35;
 const UNBOUNDED_LEAST = 1.8;
+
+/** A point of the page, CSS pixels. */
+interface Spot {
+  readonly x: number;
+  readonly y: number;
+}
 
 export interface ViewerOptions {
   theme: Theme;
@@ -252,11 +258,20 @@ export class Viewer {
     this.#invalidate();
   }
 
-  /** Magnifies the surroundings of a point of the page in a disc beside it; null removes the disc. */
-  loupe(point: { readonly x: number; readonly y: number } | null): void {
+  /**
+   * Magnifies the surroundings of a point of the page in a disc; null removes the disc.
+   *
+   * @param disc - Where the disc is, and its magnification; left out: beside the point, as for a finger.
+   */
+  loupe(point: Spot | null, disc?: { readonly at: Spot; readonly zoom: number }): void {
     const area = this.#canvas.getBoundingClientRect();
-    const from = point && ([point.x - area.left, point.y - area.top] as const);
-    this.#loupe = from && { from, at: loupePlace(from, [area.width, area.height]) };
+    const inside = ({ x, y }: Spot): Point => [x - area.left, y - area.top];
+    if (!point) this.#loupe = null;
+    else {
+      const from = inside(point);
+      const at = disc ? inside(disc.at) : loupePlace(from, [area.width, area.height]);
+      this.#loupe = { from, at, zoom: disc?.zoom ?? ZOOM };
+    }
     this.#invalidate();
   }
 

@@ -1,23 +1,10 @@
 /** Analyse on a phone: the chip, the stopping place, the zone, the plan; and a finger's loupe. */
 
-import type { CDPSession, Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import { PNG } from "pngjs";
 import { expect, onPage, PHONE, picture, settled, shotOf, type Spot, test } from "./fixture.ts";
+import { finger, TOUCH } from "./finger.ts";
 import { showTab } from "./sizes.ts";
-
-const TOUCH = { viewport: PHONE, hasTouch: true, isMobile: true };
-
-/** A finger on the screen. */
-async function finger(page: Page) {
-  const session: CDPSession = await page.context().newCDPSession(page);
-  const send = (type: "touchStart" | "touchMove" | "touchEnd", at?: Spot) =>
-    session.send("Input.dispatchTouchEvent", { type, touchPoints: at ? [at] : [] });
-  return {
-    down: (at: Spot) => send("touchStart", at),
-    move: (at: Spot) => send("touchMove", at),
-    up: () => send("touchEnd"),
-  };
-}
 
 /** Records what the loupe is asked to show. */
 async function watchLoupe(page: Page): Promise<() => Promise<(Spot | null)[]>> {
@@ -25,9 +12,9 @@ async function watchLoupe(page: Page): Promise<() => Promise<(Spot | null)[]>> {
     const { viewer } = window.carom!;
     const seen: unknown[] = [];
     const show = viewer.loupe.bind(viewer);
-    viewer.loupe = (at) => {
+    viewer.loupe = (at, disc) => {
       seen.push(at && { x: Math.round(at.x), y: Math.round(at.y) });
-      show(at);
+      show(at, disc);
     };
     Object.assign(window, { seen });
   });
@@ -116,16 +103,23 @@ test("a finger that rests on a ball has a loupe, which follows it until it is li
   expect((await shotOf(page)).balls).not.toEqual(start);
 });
 
-test("the loupe also appears when the finger pauses while it turns the aim", async ({ open }) => {
+test("a finger that turns the aim has a close-up of the contact, until it is lifted", async ({
+  open,
+}) => {
+  // Seen: the loupe showed the empty cloth under the finger.
   const page = await open(TOUCH);
   const seen = await watchLoupe(page);
   const touch = await finger(page);
-  const [from, to] = [await onPage(page, 0.9, 1), await onPage(page, 0.8, 1.1)];
+  const [from, to] = [await onPage(page, 0.9, 1), await onPage(page, 0.9, 1.005)];
   await touch.down(from);
-  await touch.move(to);
-  await expect.poll(seen).toEqual([{ x: Math.round(to.x), y: Math.round(to.y) }]);
+  await touch.move({ x: to.x + 4, y: to.y });
+  await expect.poll(seen).toHaveLength(1);
+  const [contact] = await seen();
+  const ball = await ballSpot(page, "9");
+  expect(Math.hypot(contact!.x - ball.x, contact!.y - ball.y)).toBeLessThan(12);
+  await picture(page, "close-up");
   await touch.up();
-  await expect.poll(seen).toHaveLength(2);
+  await expect.poll(async () => (await seen()).at(-1)).toBeNull();
 });
 
 test("neither a short tap nor a mouse has a loupe", async ({ open }) => {

@@ -24,8 +24,8 @@ export function nextId(balls: readonly BallEntry[]): string {
   return String(number);
 }
 
-/** Adds a ball at the free place nearest to the middle of the table. */
-export function addBall(store: Store, engine: Engine, id: string): boolean {
+/** Adds a ball at the free place nearest to a point, or else to the middle of the table. */
+export function addBall(store: Store, engine: Engine, id: string, near?: Point | null): boolean {
   const { shot } = store.document;
   const trimmed = id.trim();
   if (trimmed === "") return refuse(store, t("layout.no-name"));
@@ -33,7 +33,7 @@ export function addBall(store: Store, engine: Engine, id: string): boolean {
     return refuse(store, t("layout.name-taken", { id: trimmed }));
   }
   const size = store.shot.geometry.size ?? ([1, 2] as const);
-  for (const position of places(size)) {
+  for (const position of places(size, near ?? [size[0] / 2, size[1] / 2])) {
     const next = { ...shot, balls: [...shot.balls, { id: trimmed, position }] };
     if (!accepts(engine, next)) continue;
     store.setSession({ selected: trimmed });
@@ -140,15 +140,15 @@ function scale(
   return [round4((x / from[0]) * to[0]), round4((y / from[1]) * to[1])];
 }
 
-/** A grid of places on the table, ordered by their distance from its centre. */
-function places([width, length]: Point): Point[] {
+/** A grid of places on the table, ordered by their distance from a point. */
+function places([width, length]: Point, [u, v]: Point): Point[] {
   const found: Point[] = [];
   for (let i = 1; i < PLACES; i += 1) {
     for (let k = 1; k < 2 * PLACES; k += 1) {
       found.push([round4((width * i) / PLACES), round4((length * k) / (2 * PLACES))]);
     }
   }
-  const distance = ([x, y]: Point) => Math.hypot(x - width / 2, y - length / 2);
+  const distance = ([x, y]: Point) => Math.hypot(x - u, y - v);
   return found.sort((a, b) => distance(a) - distance(b));
 }
 

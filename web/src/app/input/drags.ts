@@ -2,12 +2,14 @@
 
 import type { Point } from "../../engine/index.ts";
 import { dragStop } from "../analyse/stop-handle.ts";
-import { sweep, toDegrees } from "../common/angles.ts";
+import { sweep, toDegrees, wrap } from "../common/angles.ts";
 import { ballName } from "../common/shot-words.ts";
+import type { Store } from "../document/store.ts";
 import { azimuthOf } from "../document/strike-angles.ts";
 import { FINE } from "../document/strike-changes.ts";
 import { dragBall, isBeside } from "../layout/ball-drag.ts";
-import { aimWithSnap } from "../pot/aim-with-snap.ts";
+import { aimWithSnap, isInPot } from "../pot/aim-with-snap.ts";
+import { apart } from "../pot/magnet.ts";
 import { t } from "../words/translate.ts";
 import type { BallDrag, CueDrag, GestureState, Pointer } from "./gesture-state.ts";
 
@@ -18,15 +20,25 @@ const DEGREES_PER_PIXEL = 0.1;
 const SNAP_PIXELS = 7;
 const WIDEST_SNAP = 2.5;
 
+/** The most degrees that the cue turns per pixel of fine adjustment: a finger aims to a pixel or two. */
+const FINEST = 0.04;
+
+/** Pixels of fine adjustment after which the cue leaves a pot. */
+const HOLD_PIXELS = 7;
+
 /** Pixels between the two points that measure the scale of the picture. */
 const BESIDE = 8;
 
-/** Turns the cue by as much as the pointer turns around the struck ball. */
+/**
+ * Turns the cue by as much as the pointer turns around the struck ball. Fine adjustment and a slow finger turn it
+ * by a tenth, and never by a jump: for them the cue does not click into pots.
+ */
 export function turnCue(state: GestureState, drag: CueDrag, event: Pointer): void {
   const { store } = state;
   const { point } = state.pick(event);
   const { last } = drag;
   drag.last = { x: event.clientX, y: event.clientY, point };
+  const isSlow = drag.pace?.follow(event) === true;
   const { struck, balls } = store.shot;
   if (struck === null) return;
   const [x, y] = balls[struck]!.position;
@@ -37,12 +49,27 @@ export function turnCue(state: GestureState, drag: CueDrag, event: Pointer): voi
         ? sweep([x, y], last.point, point)
         : 0;
   if (swept === 0) return;
-  const fine = store.session.fine || event.shiftKey;
-  drag.azimuth =
-    (drag.azimuth ?? azimuthOf(store.document.shot.strike)) + swept * (fine ? FINE : 1);
-  // Fine adjustment is for places beside the middle of a pocket.
-  const zone = fine ? 0 : SNAP_PIXELS * degreesPerPixel(state, event, [x, y], point);
-  aimWithSnap(store, drag.azimuth, Math.min(zone, WIDEST_SNAP), drag.group);
+  const perPixel = degreesPerPixel(state, event, [x, y], point);
+  if (isSlow || store.session.fine || event.shiftKey) {
+    const share = perPixel > 0 ? Math.min(FINE, FINEST / perPixel) : FINE;
+    turnFinely(store, drag, swept * share, HOLD_PIXELS * perPixel * share);
+    return;
+  }
+  drag.azimuth = (drag.azimuth ?? azimuthOf(store.document.shot.strike)) + swept;
+  aimWithSnap(store, drag.azimuth, Math.min(SNAP_PIXELS * perPixel, WIDEST_SNAP), drag.group);
+}
+
+/** Turns the cue by `degrees` from where it is. A pot is left after more than `hold` degrees. */
+function turnFinely(store: Store, drag: CueDrag, degrees: number, hold: number): void {
+  const now = azimuthOf(store.document.shot.strike);
+  // Where a wide turn has clicked into a pot, the pointer may be degrees beside it.
+  const from = drag.azimuth === null || apart(drag.azimuth, now) > hold ? now : drag.azimuth;
+  drag.azimuth = from + degrees;
+  if (isInPot(store)) {
+    if (apart(drag.azimuth, now) <= hold) return;
+    drag.azimuth = now + degrees;
+  }
+  store.strike({ azimuth_deg: wrap(drag.azimuth) }, t("change.aim"), drag.group);
 }
 
 /** Degrees by which a drag of one pixel turns the cue. */

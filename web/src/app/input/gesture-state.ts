@@ -4,13 +4,15 @@ import type { Point } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import type { Store } from "../document/store.ts";
 import type { Target } from "../document/target.ts";
+import type { AimCloseUp } from "./aim-close-up.ts";
 import { Loupe } from "./finger-loupe.ts";
+import type { FingerPace } from "./finger-pace.ts";
 import { Stroke } from "./stroke.ts";
 
 /** What is read of an event. */
 export type Pointer = Pick<
   PointerEvent,
-  "pointerId" | "pointerType" | "button" | "clientX" | "clientY" | "shiftKey"
+  "pointerId" | "pointerType" | "button" | "clientX" | "clientY" | "shiftKey" | "timeStamp"
 >;
 
 interface Press {
@@ -43,6 +45,8 @@ export interface CueDrag extends Press {
   azimuth: number | null;
   /** Position of the pointer when it last turned the cue. */
   last: { readonly x: number; readonly y: number; readonly point: Point | null };
+  /** How fast the finger moves; null for a mouse, which is exact. */
+  readonly pace: FingerPace | null;
 }
 
 /** A pull of the cue, a drag of the place where the cue ball stops, or of the camera, which the viewer turns. */
@@ -66,18 +70,20 @@ export class GestureState {
   readonly surface: Surface;
   readonly stroke: Stroke;
   readonly loupe: Loupe;
+  readonly closeUp: AimCloseUp;
   /** The pointers that are down. */
   readonly down = new Set<number>();
   /** How many gestures have begun. */
   count = 0;
   present: Gesture | null = null;
 
-  constructor(store: Store, context: Context, surface: Surface) {
+  constructor(store: Store, context: Context, surface: Surface, closeUp: AimCloseUp) {
     this.store = store;
     this.context = context;
     this.surface = surface;
     this.stroke = new Stroke(store, context);
     this.loupe = new Loupe(context.viewer);
+    this.closeUp = closeUp;
   }
 
   /** What is at a pointer; near it, too, if it is a finger. */

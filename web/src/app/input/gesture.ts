@@ -6,6 +6,7 @@ import { hidePreview } from "../analyse/result-preview.ts";
 import { removeBall } from "../document/layout-changes.ts";
 import { targetOf } from "../document/target.ts";
 import { isAway, moveBall, moveStop, turnCue } from "./drags.ts";
+import { FingerPace } from "./finger-pace.ts";
 import type { Gesture, GestureState, Pointer } from "./gesture-state.ts";
 import { meansPocket, tap } from "./taps.ts";
 
@@ -32,7 +33,7 @@ export function start(state: GestureState, event: Pointer): void {
   state.present = gesture;
   surface.setPointerCapture(event.pointerId);
   if (gesture.kind === "stroke") surface.dataset.drag = "cue";
-  else if (gesture.kind !== "camera") state.loupe.press(event);
+  else if (gesture.kind === "ball" || gesture.kind === "stop") state.loupe.press(event);
   context.viewer.controls = gesture.kind === "cue" || gesture.kind === "camera";
 }
 
@@ -64,7 +65,8 @@ function begun(state: GestureState, event: Pointer): Gesture {
   }
   const reach = held !== null || meansPocket(state, event) ? press.reach : TAP_REACH.cloth;
   if (!isAiming || store.view.camera === "orbit") return { ...press, reach, kind: "camera" };
-  return { ...press, reach, kind: "cue", azimuth: null, last: { x, y, point } };
+  const pace = event.pointerType === "mouse" ? null : new FingerPace(event);
+  return { ...press, reach, kind: "cue", azimuth: null, last: { x, y, point }, pace };
 }
 
 /** Whether a point is at the place where the cue ball stops, which can be dragged. */
@@ -88,9 +90,13 @@ export function move(state: GestureState, event: Pointer): void {
   if (!gesture.moved && Math.hypot(event.clientX - x, event.clientY - y) < gesture.reach) return;
   if (state.store.session.mode === "replay") return;
   gesture.moved = true;
+  state.surface.dataset.drag ??= gesture.kind === "cue" ? "turn" : gesture.kind;
   if (gesture.kind === "stop") moveStop(state, event);
   else if (gesture.kind === "ball") moveBall(state, gesture, event);
-  else if (gesture.kind === "cue") turnCue(state, gesture, event);
+  else if (gesture.kind === "cue") {
+    turnCue(state, gesture, event);
+    if (event.pointerType !== "mouse") state.closeUp.show({ x: event.clientX, y: event.clientY });
+  }
 }
 
 /** A pointer is released. */
@@ -121,6 +127,7 @@ export function cancel(state: GestureState): void {
 
 function settle(state: GestureState): void {
   state.loupe.release();
+  state.closeUp.hide();
   if (!state.present) return;
   state.stroke.cancel();
   state.present = null;

@@ -2,24 +2,32 @@
  * Mouse, pen and touch on the table. A drag on the cloth turns the cue, which clicks into pots; a drag of
  * a ball moves it, and a drag of the place where the cue ball stops changes the stroke. A tap on the cloth
  * aims there, a tap on a ball aims at it, and a tap on a pocket then aims the ball at it. A press on the cue
- * and a pull shoot. A finger that rests has a loupe. With the free camera a drag on the cloth turns the
+ * and a pull shoot. A finger that rests on a ball has a loupe, and one that turns the cue a
+ * close-up of the contact. With the free camera a drag on the cloth turns the
  * camera; the viewer handles that, several fingers, and the other buttons.
  */
 
 import type { Context } from "../common/context.ts";
 import type { Store } from "../document/store.ts";
+import type { AimCloseUp } from "./aim-close-up.ts";
 import { cancel, end, hover, move, start } from "./gesture.ts";
 import { GestureState } from "./gesture-state.ts";
 
-export function mountGestures(canvas: HTMLCanvasElement, store: Store, context: Context): void {
+export function mountGestures(
+  canvas: HTMLCanvasElement,
+  store: Store,
+  context: Context,
+  closeUp: AimCloseUp,
+): void {
   const { loop } = context;
-  const state = new GestureState(store, context, {
+  const surface = {
     dataset: canvas.dataset,
-    setPointerCapture: (pointer) => {
+    setPointerCapture: (pointer: number) => {
       canvas.setPointerCapture(pointer);
     },
-    isOpen: (x, y) => document.elementFromPoint(x, y) === canvas,
-  });
+    isOpen: (x: number, y: number) => document.elementFromPoint(x, y) === canvas,
+  };
+  const state = new GestureState(store, context, surface, closeUp);
   // In the capture phase, so that it switches the viewer's controls off before their own listener runs.
   const early = { capture: true };
   canvas.addEventListener("pointerdown", (event) => start(state, event), early);

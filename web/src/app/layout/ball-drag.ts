@@ -2,6 +2,7 @@
 
 import type { Point } from "../../engine/index.ts";
 import { bed } from "../../photo/index.ts";
+import type { Context } from "../common/context.ts";
 import { addBallAt, placeBall, type Placing } from "../document/layout-changes.ts";
 import type { Store } from "../document/store.ts";
 import { snapped } from "./ball-snap.ts";
@@ -45,4 +46,14 @@ export function isBeside(store: Store, [x, y]: Point): boolean {
   const { size, rail_width: rail = 0 } = store.shot.geometry;
   if (!size) return false;
   return x < -rail || y < -rail || x > size[0] + rail || y > size[1] + rail;
+}
+
+/** The place (m) in the middle of the part of the table that no sheet covers; null above the horizon. */
+export function middleInView({ viewer }: Pick<Context, "viewer">): Point | null {
+  const [table, sheet] = ["table", "drawer"].map((id) =>
+    document.getElementById(id)!.getBoundingClientRect(),
+  ) as [DOMRect, DOMRect];
+  const isCovered = sheet.height > 0 && sheet.left < table.right && sheet.top < table.bottom;
+  const bottom = isCovered ? sheet.top : table.bottom;
+  return viewer.pick((table.left + table.right) / 2, (table.top + bottom) / 2).point;
 }

@@ -7,7 +7,7 @@ import { ballName } from "../common/shot-words.ts";
 import { addBall } from "../document/layout-changes.ts";
 import type { Store } from "../document/store.ts";
 import { t } from "../words/translate.ts";
-import { dragBall, dropBall, isBeside } from "./ball-drag.ts";
+import { dragBall, dropBall, isBeside, middleInView } from "./ball-drag.ts";
 import { swatch } from "../common/swatch.ts";
 
 /** Movement (CSS pixels) from which a press is a drag. */
@@ -61,7 +61,7 @@ function ball(id: string, index: number, store: Store, context: Context): HTMLBu
   // The browser looks at it when a finger touches the chip: later it would scroll the panel.
   chip.style.touchAction = "none";
   const click = (): void => {
-    addBall(store, context.engine, id);
+    addBall(store, context.engine, id, middleInView(context));
   };
   chip.addEventListener("click", click);
   chip.addEventListener("pointerdown", (event) => {
@@ -83,6 +83,8 @@ function follow(chip: HTMLElement, press: PointerEvent, held: Held): void {
   drags += 1;
   const group = `tray ${drags}`;
   const end = new AbortController();
+  // The chip leaves the page once its ball is on the table.
+  const sheet = chip.closest<HTMLElement>(".drawer");
   let dragged = false;
   const onTable = () => store.document.shot.balls.some((one) => one.id === id);
   const target = (event: PointerEvent) => {
@@ -95,6 +97,8 @@ function follow(chip: HTMLElement, press: PointerEvent, held: Held): void {
     if (!dragged && away < DRAG) return;
     if (!dragged) chip.removeEventListener("click", click);
     dragged = true;
+    // A sheet steps aside for the part of the table below it.
+    if (sheet) sheet.dataset.drag = "tray";
     const point = target(event);
     if (!point) return;
     if (onTable()) dragBall(store, id, point, group);
@@ -105,6 +109,7 @@ function follow(chip: HTMLElement, press: PointerEvent, held: Held): void {
     context.loop.flush();
     store.settle();
     if (dragged && onTable() && (event.type === "pointercancel" || !target(event))) store.undo();
+    delete sheet?.dataset.drag;
     // The click of a drag that ends on the chip comes after this.
     setTimeout(() => {
       if (dragged) chip.addEventListener("click", click);

@@ -10,6 +10,7 @@ import { photoOptions } from "./layout-from-photo.ts";
 import { aimAt } from "../document/strike-changes.ts";
 import type { Store } from "../document/store.ts";
 import { mountTable } from "./table-controls.ts";
+import { middleInView } from "./ball-drag.ts";
 import { mountTray } from "./ball-tray.ts";
 import { gameName } from "../common/preset-names.ts";
 import { ballName } from "../common/shot-words.ts";
@@ -71,7 +72,8 @@ function mountBalls(root: HTMLElement, store: Store, context: Context): void {
   const name = h("input", { type: "text", size: 8, autocomplete: "off" });
   const add = h("button", { type: "button", class: "button" }, t("layout.add"));
   add.addEventListener("click", () => {
-    if (addBall(store, context.engine, name.value)) name.value = nextId(store.document.shot.balls);
+    if (addBall(store, context.engine, name.value, middleInView(context)))
+      name.value = nextId(store.document.shot.balls);
   });
   const fields = h("div");
   root.append(

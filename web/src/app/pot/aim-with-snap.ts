@@ -12,14 +12,17 @@ export function isObjectBall(store: Store, id: string | null): id is string {
   return id !== null && id !== strike.ball && balls.some((ball) => ball.id === id);
 }
 
+/** Whether the cue is in a pot into which it clicks. */
+export function isInPot({ session: { lock } }: Store): boolean {
+  return lock?.solved === true && lock.kind === "direct";
+}
+
 /**
  * Turns the cue to `azimuth`, or into a pot within `zone` degrees of it. The shot that is then shown is the
  * only one that is simulated, except when the cue clicks into another pot.
  */
 export function aimWithSnap(store: Store, azimuth: number, zone: number, group: string): void {
-  const { lock } = store.session;
-  const isInPot = lock?.solved === true && lock.kind === "direct";
-  if (isInPot && apart(azimuthOf(store.document.shot.strike), azimuth) <= zone) return;
+  if (isInPot(store) && apart(azimuthOf(store.document.shot.strike), azimuth) <= zone) return;
   if (!store.strike({ azimuth_deg: wrap(azimuth) }, t("change.aim"), group)) return;
   const { trace } =
     zone > 0 && store.shot.geometry.pockets.length > 0 ? store.ghost : { trace: null };

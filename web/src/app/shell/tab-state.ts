@@ -73,7 +73,7 @@ export function tabOfKey(key: string, selected: Tab["name"], now: Situation): Ta
   return index === undefined ? null : tabs[index]!.name;
 }
 
-/** @param isSheet Whether the panel is a sheet, which covers the table while it is not folded. */
+/** @param isSheet Whether the panel takes room that the table needs: a sheet covers a part of it. */
 export function tabsAfter(
   state: TabState,
   now: Situation,
@@ -84,7 +84,9 @@ export function tabsAfter(
   const { activity, mode, attempt } = now.session;
   const { game } = now.document;
   if (activity === before.session.activity) {
-    if (game && !before.document.game) isFolded = isSheet;
+    // Every frame has a set-up of its own.
+    const begins = game && game.setup !== before.document.game?.setup;
+    if (begins || (game && !before.document.game)) isFolded ||= isSheet;
   } else {
     earlier = { ...earlier, tab: FIRST[activity] };
     if (mode === "aim") {
@@ -96,7 +98,7 @@ export function tabsAfter(
   if (mode !== before.session.mode) {
     if (mode === "replay") {
       earlier = { tab, isFolded };
-      [tab, isFolded] = ["state", isSheet];
+      [tab, isFolded] = ["state", isFolded || isSheet];
     } else {
       if (tab === "state") ({ tab } = earlier);
       ({ isFolded } = earlier);

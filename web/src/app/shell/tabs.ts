@@ -1,12 +1,16 @@
-/** The panel's tabs. On a phone the panel is a sheet; a second tap on its tab collapses it. */
+/** The panel's tabs. On a phone the panel is a sheet; a second tap on its tab, or its handle, collapses it. */
 
+import { mountHandle, sideButton, FOLDED } from "./fold-controls.ts";
 import { h } from "../common/dom.ts";
 import type { State, Store } from "../document/store.ts";
 import { t } from "../words/translate.ts";
 import { isPresent, type Shown, type Tab, tabOfKey, TABS, tabsAfter } from "./tab-state.ts";
 
-/** Screens on which the style makes the panel a sheet, as in style.css; a replay needs that room. */
+/** Screens on which the style makes the panel a sheet, as in style.css. */
 const SHEET = "(max-width: 760px) and (min-height: 480px), (max-width: 639px)";
+
+/** Screens whose table needs the room of the panel: sheets, and low windows. */
+const CROWDED = `${SHEET}, (max-height: 479px)`;
 
 /** Dispatched on a tab's panel whenever it may have become visible. */
 const SHOWN = "carom:shown";
@@ -31,6 +35,13 @@ export function mountTabs(root: HTMLElement, store: Store): (name: Tab["name"]) 
 }
 
 const isSheet = () => matchMedia(SHEET).matches;
+const isCrowded = () => matchMedia(CROWDED).matches;
+
+/** Whether the panel is at the side of the table and not folded. */
+export function isBesideTable(): boolean {
+  return !isSheet() && document.getElementById("panel")!.dataset.folded === undefined;
+}
+
 const bodyOf = ({ name }: Tab) => document.getElementById(`panel-${name}`)!;
 
 class Tabs {
@@ -44,9 +55,12 @@ class Tabs {
   constructor(root: HTMLElement, store: Store) {
     this.#panel = root.closest<HTMLElement>(".panel")!;
     this.#store = store;
+    const fold = () => this.#fold(!this.#isFolded);
     root.append(...this.#buttons);
+    root.before(sideButton(this.#panel, fold));
+    mountHandle(document.getElementById("drawer")!, fold);
     store.subscribe((now, before) => this.#follow(now, before));
-    this.#fold(isSheet());
+    this.#fold(isCrowded());
     this.#show();
   }
 
@@ -65,7 +79,7 @@ class Tabs {
       now.document.game !== before.document.game;
     if (!isOther && is.attempt === was.attempt) return;
     const state = { tab: this.selected, isFolded: this.#isFolded, earlier: this.#earlier };
-    const next = tabsAfter(state, now, before, isSheet());
+    const next = tabsAfter(state, now, before, isCrowded());
     this.selected = next.tab;
     this.#earlier = next.earlier;
     this.#fold(next.isFolded);
@@ -98,12 +112,14 @@ class Tabs {
   }
 
   #fold(on: boolean): void {
+    if (on === this.#isFolded) return;
     if (on) this.#panel.dataset.folded = "true";
     else delete this.#panel.dataset.folded;
+    this.#panel.dispatchEvent(new Event(FOLDED));
   }
 
   #click(tab: Tab): void {
     if (tab.name !== this.selected || this.#isFolded) this.select(tab.name);
-    else this.#fold(true);
+    else if (isSheet()) this.#fold(true);
   }
 }

@@ -21,7 +21,7 @@ import { DEPTH, MOVING, STILL } from "./layers.ts";
 import { Copier, Picture } from "./picture.ts";
 import { Tiles } from "./tiles.ts";
 
-/** Magnification and diameter (CSS pixels) of the loupe, and its border as a share of the radius. */
+/** Usual magnification and diameter (CSS pixels) of the loupe, and its border as a share of the radius. */
 export const ZOOM = 2.5;
 export const LOUPE = 132;
 const BORDER = 0.035;
@@ -32,6 +32,7 @@ export interface Loupe {
   readonly from: readonly [x: number, y: number];
   /** Centre of the circle. */
   readonly at: readonly [x: number, y: number];
+  readonly zoom: number;
 }
 
 /**
@@ -226,12 +227,12 @@ export class Stage {
     this.renderer.setRenderTarget(null);
   }
 
-  #magnify(camera: PerspectiveCamera, { from, at }: Loupe): void {
+  #magnify(camera: PerspectiveCamera, { from, at, zoom }: Loupe): void {
     const { renderer } = this;
     const { x: width, y: height } = renderer.getSize(this.#size);
     const side = Math.round(LOUPE * renderer.getPixelRatio());
     if (this.#loupe.width !== side) this.#loupe.setSize(side, side);
-    const seen = LOUPE / ZOOM;
+    const seen = LOUPE / zoom;
     camera.setViewOffset(width, height, from[0] - seen / 2, from[1] - seen / 2, seen, seen);
     renderer.setRenderTarget(this.#loupe);
     this.#whole(camera);

@@ -5,8 +5,14 @@ import { DrawLoop } from "../../../src/app/common/draw-loop.ts";
 import { toDegrees, toRadians } from "../../../src/app/common/angles.ts";
 import { documentOf } from "../../../src/app/document/shot-file.ts";
 import { Store } from "../../../src/app/document/store.ts";
+import { AimCloseUp } from "../../../src/app/input/aim-close-up.ts";
 import { cancel, end, hover, move, start } from "../../../src/app/input/gesture.ts";
 import { GestureState, type Pointer } from "../../../src/app/input/gesture-state.ts";
+
+interface Spot {
+  readonly x: number;
+  readonly y: number;
+}
 
 const engine = await load();
 
@@ -22,6 +28,9 @@ const SHOT = {
 
 /** Pixels per metre of a picture whose origin is the origin of the table. */
 const SCALE = 500;
+
+/** The part of the window in which the table is seen. */
+const PICTURE = { left: 0, top: 0, right: 700, bottom: 1400 };
 
 /** Within this many pixels of a ball's centre the pointer is on it; a finger takes it from further away. */
 const ON = 14;
@@ -56,7 +65,7 @@ const viewer = {
 function at([x, y]: readonly number[], more: Partial<Pointer> & { by?: Point } = {}): Pointer {
   const [dx, dy] = more.by ?? [0, 0];
   const place = { clientX: x! * SCALE + dx, clientY: y! * SCALE + dy };
-  const rest = { pointerId: 1, pointerType: "mouse", button: 0, shiftKey: false };
+  const rest = { pointerId: 1, pointerType: "mouse", button: 0, shiftKey: false, timeStamp: 0 };
   return { ...rest, ...place, ...more };
 }
 
@@ -75,11 +84,9 @@ beforeEach(() => {
     () => 0,
   );
   const context = { engine, viewer, loop, announce: vi.fn() } as unknown as Context;
-  state = new GestureState(store, context, {
-    dataset: {},
-    setPointerCapture: vi.fn(),
-    isOpen: () => isOpen,
-  });
+  const surface = { dataset: {}, setPointerCapture: vi.fn(), isOpen: () => isOpen };
+  const closeUp = new AimCloseUp(store, context, () => PICTURE);
+  state = new GestureState(store, context, surface, closeUp);
 });
 
 /** A press, moves, and the release at the last place. */
@@ -130,6 +137,99 @@ describe("a drag on the cloth", () => {
     move(state, at([1, 1]));
     end(state, at([1, 1]));
     expect(strike().azimuth_deg).toBe(40);
+  });
+});
+
+describe("a finger that turns the cue", () => {
+  const pointerType = "touch";
+
+  /** The most that the cue turns when a slow drag leaves the reach of a tap, three pixels; degrees. */
+  const FIRST_STEP = 0.125;
+
+  /** A drag from a place by steps of some pixels to the right, each after some milliseconds. */
+  function slide(from: readonly number[], steps: number, by: number, every: number): void {
+    start(state, at(from, { pointerType }));
+    for (let k = 1; k <= steps; k += 1) {
+      move(state, at(from, { pointerType, by: [k * by, 0], timeStamp: k * every }));
+    }
+    end(state, at(from, { pointerType, by: [steps * by, 0], timeStamp: steps * every + 10 }));
+  }
+
+  /** Steps of the azimuth while a gesture is made, degrees. */
+  function stepsOf(gesture: () => void): number[] {
+    const seen = [strike().azimuth_deg!];
+    const end = store.subscribe(({ document }) => seen.push(document.shot.strike.azimuth_deg!));
+    gesture();
+    end();
+    return seen.slice(1).map((azimuth, k) => Math.abs(azimuth - seen[k]!));
+  }
+
+  test("slowly turns it by a twentieth of a degree per pixel at the most, and never by a jump", () => {
+    // Seen: a drag of nine pixels turned the cue by six degrees.
+    const steps = stepsOf(() => slide([0.5, 0.9], 9, 1, 40));
+    expect(Math.max(...steps)).toBeLessThan(FIRST_STEP);
+    expect(strike().azimuth_deg).toBeLessThan(40);
+    expect(strike().azimuth_deg).toBeGreaterThan(39.5);
+  });
+
+  test("slowly turns it as finely beside the cue ball", () => {
+    expect(Math.max(...stepsOf(() => slide([0.5, 0.64], 9, 1, 40)))).toBeLessThan(FIRST_STEP);
+  });
+
+  test("fast turns it widely, and finely again after it was slow for a while", () => {
+    const from = [0.5, 0.9];
+    start(state, at(from, { pointerType }));
+    for (let k = 1; k <= 10; k += 1) {
+      move(state, at(from, { pointerType, by: [10 * k, 0], timeStamp: 16 * k }));
+    }
+    const wide = strike().azimuth_deg!;
+    expect(40 - wide).toBeGreaterThan(15);
+    const steps = stepsOf(() => {
+      for (let k = 1; k <= 20; k += 1) {
+        const by: Point = [100 + k, 0];
+        move(state, at(from, { pointerType, by, timeStamp: 600 + 40 * k }));
+      }
+    });
+    expect(Math.max(...steps)).toBeLessThan(0.05);
+    end(state, at(from, { pointerType, by: [120, 0], timeStamp: 1500 }));
+    expect(store.undo()).toBe(true);
+    expect(strike().azimuth_deg).toBe(40);
+  });
+
+  test("leaves a pot finely, from its middle", () => {
+    store.aimAtPocket("1", "top-right", "pot");
+    const middle = strike().azimuth_deg!;
+    slide([0.5, 0.9], 5, 1, 40);
+    expect(strike().azimuth_deg, "within the pot").toBe(middle);
+    expect(store.session.lock?.solved).toBe(true);
+    const steps = stepsOf(() => slide([0.5, 0.9], 20, 1, 40));
+    expect(strike().azimuth_deg).not.toBe(middle);
+    expect(store.session.lock).toBeNull();
+    expect(Math.max(...steps)).toBeLessThan(0.05);
+  });
+
+  test("sees a close-up of the contact, away from the finger, until it is lifted", () => {
+    store.strike({ azimuth_deg: 84 }, "aim");
+    const from = [0.9, 1];
+    start(state, at(from, { pointerType }));
+    expect(viewer.loupe).not.toHaveBeenCalled();
+    move(state, at(from, { pointerType, by: [4, 0], timeStamp: 100 }));
+    const [point, { at: disc, zoom }] = viewer.loupe.mock.lastCall as [
+      Spot,
+      { at: Spot; zoom: number },
+    ];
+    // Between the ghost ball and the ball 1.
+    expect(Math.hypot(point.x - 0.6 * SCALE, point.y - 1.6 * SCALE)).toBeLessThan(0.06 * SCALE);
+    expect(Math.hypot(disc.x - 0.9 * SCALE, disc.y - 1 * SCALE)).toBeGreaterThan(100);
+    expect(zoom).toBeCloseTo(2.03, 2);
+    end(state, at(from, { pointerType, by: [4, 0], timeStamp: 120 }));
+    expect(viewer.loupe).toHaveBeenLastCalledWith(null);
+  });
+
+  test("sees none where the cue ball meets no ball, and a mouse sees none", () => {
+    slide([0.5, 0.2], 6, 1, 40);
+    drag(at([1, 0.6]), at([1, 0.9]));
+    expect(viewer.loupe).not.toHaveBeenCalled();
   });
 });
 

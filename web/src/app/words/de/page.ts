@@ -36,6 +36,9 @@ export const texts: Translation<typeof en.page> = {
   "theme.dark": "Farben: dunkel",
   "page.help": "Hilfe und Tasten",
 
+  "page.close-sheet": "Einstellungen schließen",
+  "page.hide-panel": "Einstellungen ausblenden",
+  "page.show-panel": "Einstellungen einblenden",
   "tab.state": "Wiederholung",
   "tab.aim": "Zielen",
   "tab.lines": "Beste",
@@ -69,7 +72,7 @@ export const texts: Translation<typeof en.page> = {
     "Tippen Sie eine Kugel an, dann eine Tasche. Das Ziel bleibt, während Sie Tempo, Effet und Neigung ändern.",
   "help.aim": "Zielen",
   "help.aim-text":
-    "Ziehen Sie auf dem Tuch, um das Queue zu drehen; es rastet ein, wo eine Kugel fällt. Oder tippen Sie auf das Tuch, um dorthin zu zielen.",
+    "Ziehen Sie auf dem Tuch, um das Queue zu drehen; es rastet ein, wo eine Kugel fällt. Oder tippen Sie auf das Tuch, um dorthin zu zielen. Ein langsamer Finger zielt fein, und ebenso das Rad am Rand des Tisches.",
   "help.strike": "Treffpunkt",
   "help.strike-text":
     "Klicken Sie unter Zielen auf den Ball: Effet, Nachläufer oder Rückläufer. Daneben stehen Tempo, Neigung und Richtung.",

@@ -34,6 +34,9 @@ export const texts = {
   "theme.dark": "Theme: dark",
   "page.help": "Help and keys",
 
+  "page.close-sheet": "Close the settings",
+  "page.hide-panel": "Hide the settings",
+  "page.show-panel": "Show the settings",
   "tab.state": "Replay",
   "tab.aim": "Aim",
   "tab.lines": "Best",
@@ -66,7 +69,7 @@ export const texts = {
     "Tap a ball, then a pocket. The aim stays solved while you change speed, spin and elevation.",
   "help.aim": "Aim",
   "help.aim-text":
-    "Drag on the cloth to turn the cue; it clicks into pots. Or tap the cloth to aim at that point.",
+    "Drag on the cloth to turn the cue; it clicks into pots. Or tap the cloth to aim at that point. A finger that moves slowly aims finely, and so does the wheel at the edge of the table.",
   "help.strike": "Strike",
   "help.strike-text":
     "Click the ball under Aim to place the tip: English, follow or draw. Set speed, elevation and direction beside it.",

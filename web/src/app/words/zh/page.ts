@@ -35,6 +35,9 @@ export const texts: Translation<typeof en.page> = {
   "theme.dark": "主题：深色",
   "page.help": "帮助和按键",
 
+  "page.close-sheet": "关闭设置",
+  "page.hide-panel": "隐藏设置",
+  "page.show-panel": "显示设置",
   "tab.state": "回放",
   "tab.aim": "瞄准",
   "tab.lines": "最佳",
@@ -62,7 +65,8 @@ export const texts: Translation<typeof en.page> = {
   "help.pot": "进球",
   "help.pot-text": "点击一颗球，再点击球袋。改变杆速、旋转和仰角时，瞄准会随之调整。",
   "help.aim": "瞄准",
-  "help.aim-text": "在台呢上拖动来转动球杆，球杆会吸附到进球线路。或点击台呢瞄准那一点。",
+  "help.aim-text":
+    "在台呢上拖动来转动球杆，球杆会吸附到进球线路。或点击台呢瞄准那一点。手指慢慢拖动时为微调，台边的滚轮也用于微调。",
   "help.strike": "击点",
   "help.strike-text": "在“瞄准”中点击球面选择击点：加塞、高杆或低杆。旁边设置杆速、仰角和方向。",
   "help.ahead": "预测",

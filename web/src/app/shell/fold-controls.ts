@@ -1,0 +1,59 @@
+/** What folds the panel: a handle on top of a sheet, and a button beside the tabs of a panel at the side. */
+
+import { h, icon } from "../common/dom.ts";
+import { t } from "../words/translate.ts";
+
+/** Dispatched on the panel when it is folded or unfolded. */
+export const FOLDED = "carom:folded";
+
+/** Pixels of a drag of the handle after which a release closes the sheet. */
+const SWIPE = 40;
+
+/** The handle of a sheet: a tap or a swipe down closes it. */
+export function mountHandle(sheet: HTMLElement, close: () => void): void {
+  const name = t("page.close-sheet");
+  const handle = h("button", { type: "button", class: "drawer-handle", "aria-label": name });
+  sheet.prepend(handle);
+  let from: number | null = null;
+  const follow = (y: number): number => Math.max(0, y - (from ?? y));
+  handle.addEventListener("pointerdown", ({ button, pointerId, clientY }) => {
+    if (button !== 0) return;
+    from = clientY;
+    handle.setPointerCapture(pointerId);
+  });
+  handle.addEventListener("pointermove", ({ clientY }) => {
+    if (from !== null) sheet.style.transform = `translateY(${follow(clientY)}px)`;
+  });
+  const end = ({ clientY, type }: PointerEvent): void => {
+    const isSwipe = type === "pointerup" && follow(clientY) > SWIPE;
+    from = null;
+    sheet.style.transform = "";
+    // A press without a swipe is a click.
+    if (isSwipe) close();
+    swiped = isSwipe;
+  };
+  let swiped = false;
+  handle.addEventListener("pointerup", end);
+  handle.addEventListener("pointercancel", end);
+  handle.addEventListener("click", () => {
+    if (!swiped) close();
+    swiped = false;
+  });
+}
+
+/** The button that hides a panel at the side of the table, and shows it again. */
+export function sideButton(panel: HTMLElement, fold: () => void): HTMLElement {
+  const attributes = { type: "button", class: "button plain fold", onclick: fold };
+  const button = h("button", { ...attributes, "aria-controls": "drawer" });
+  const show = (): void => {
+    const isFolded = panel.dataset.folded !== undefined;
+    const name = t(isFolded ? "page.show-panel" : "page.hide-panel");
+    button.setAttribute("aria-label", name);
+    button.setAttribute("aria-expanded", String(!isFolded));
+    button.title = name;
+    button.replaceChildren(icon(isFolded ? "M15 5l-7 7 7 7" : "M9 5l7 7-7 7"));
+  };
+  panel.addEventListener(FOLDED, show);
+  show();
+  return button;
+}
