@@ -17,6 +17,7 @@ import { mountFineWheel } from "./input/fine-wheel.ts";
 import { mountGestures } from "./input/gestures.ts";
 import { mountCamera, mountHistory, mountPageMenu } from "./shell/header.ts";
 import { mountEntrances } from "./shell/entrances.ts";
+import { mountBack } from "./shell/browser-back.ts";
 import { mountOpening } from "./help/opening.ts";
 import { mountHelp } from "./help/help.ts";
 import { mountKeys } from "./input/keys.ts";
@@ -98,7 +99,7 @@ function mountParts(store: Store, context: Context, welcome: boolean): () => voi
   mountBar(place("game-bar"), store, context);
   mountTrain(place("panel-train"), store, context);
   mountShare(place("share"), store, context);
-  mountAddress(store, context);
+  mountBack(mountAddress(store, context));
   mountFriend(place("game-bar"), store, context);
   mountReload(store);
   mountDiamonds(place("stage"), store, context);

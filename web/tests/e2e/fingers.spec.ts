@@ -1,7 +1,7 @@
 /** Fingers: fine aim by a slow drag and by the wheel, sheets that step aside, the tip's window, a turned phone. */
 
 import type { Page } from "playwright-core";
-import { expect, onPage, settled, shotOf, test } from "./fixture.ts";
+import { expect, onPage, pressTool, settled, shotOf, test } from "./fixture.ts";
 import { finger, LYING, TOUCH } from "./finger.ts";
 import { showTab } from "./sizes.ts";
 
@@ -145,6 +145,39 @@ test("the tip has a small window over the cue, which leaves the shot in view", a
   await page.locator(".spin-button").tap();
   await page.keyboard.press("Escape");
   expect(await page.locator(".tip-window").isVisible()).toBe(false);
+});
+
+test("Back closes what is open, keeps the shot, and then leaves the page", async ({ open }) => {
+  // Seen: Back left the page while a sheet was open.
+  const page = await open(TOUCH);
+  const address = page.url();
+  const back = () => page.evaluate(() => history.back());
+  const label = () => page.evaluate(() => window.carom!.store.undoLabel);
+  await page.locator("#tab-aim").tap();
+  const drawer = page.locator("#drawer");
+  expect(await drawer.isVisible()).toBe(true);
+  // The address changes while the sheet is open.
+  await page.evaluate(() => window.carom!.store.strike({ azimuth_deg: 12.5 }, "aim"));
+  await expect.poll(() => page.url()).not.toBe(address);
+  await back();
+  await expect.poll(() => drawer.isVisible()).toBe(false);
+  await page.waitForTimeout(300);
+  expect(await azimuth(page)).toBe(12.5);
+  expect(await label()).toBe("aim");
+  await page.locator(".spin-button").tap();
+  await page.waitForFunction(() => history.state !== null);
+  await back();
+  await expect.poll(() => page.locator(".tip-window").isVisible()).toBe(false);
+  await pressTool(page, "Help and keys");
+  await page.waitForFunction(() => history.state !== null);
+  await back();
+  await expect.poll(() => page.locator("#help").isVisible()).toBe(false);
+  // Closed by its own handle, a sheet leaves no step behind.
+  await page.locator("#tab-aim").tap();
+  await page.getByRole("button", { name: "Close the settings" }).tap();
+  expect(await azimuth(page)).toBe(12.5);
+  await page.evaluate(() => history.back());
+  await expect.poll(() => page.url()).toBe("about:blank");
 });
 
 test("on a turned phone the panel is folded, and its tabs open it", async ({ open }) => {

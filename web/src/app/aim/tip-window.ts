@@ -81,7 +81,11 @@ function windowOf(store: Store, context: Context, close: () => void): HTMLElemen
   });
   const name = t("aim.close-tip");
   const attributes = { type: "button", class: "button plain", "aria-label": name, title: name };
-  const end = h("button", { ...attributes, onclick: close }, icon("M6 6l12 12M18 6L6 18"));
+  const end = h(
+    "button",
+    { ...attributes, onclick: close, "data-back": true },
+    icon("M6 6l12 12M18 6L6 18"),
+  );
   const root = h("div", { class: "tip-window", role: "group", "aria-label": t("aim.tip") });
   root.append(face, centre, end);
   root.addEventListener("keydown", (event) => {

@@ -1,7 +1,7 @@
 /** The time of the replay, independent of the frame rate. */
 
 /** Speeds of the replay: seconds of the shot per second of wall time. */
-export const RATES = [1, 0.5, 0.25, 0.1] as const;
+export const RATES = [4, 2, 1, 0.5, 0.25, 0.1] as const;
 
 /**
  * The longest wall time (s) that one frame may advance. After the page was paused (another tab in front,

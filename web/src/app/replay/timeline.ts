@@ -38,7 +38,14 @@ const REACH = 8;
 /** Height of a lane of marks, pixels. */
 const LANE_HEIGHT = 10;
 
-const RATE_NAMES: Readonly<Record<number, string>> = { 1: "1×", 0.5: "½×", 0.25: "¼×", 0.1: "⅒×" };
+const RATE_NAMES: Readonly<Record<number, string>> = {
+  4: "4×",
+  2: "2×",
+  1: "1×",
+  0.5: "½×",
+  0.25: "¼×",
+  0.1: "⅒×",
+};
 
 export function mountTimeline(root: HTMLElement, store: Store, context: Context): void {
   const play = h("button", {

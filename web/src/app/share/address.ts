@@ -169,16 +169,22 @@ function datedSetup(engine: Engine, setup: Setup): Setup {
   return { ...setup, options: { ...setup.options, ...named } };
 }
 
-/** Updates the address after each change. A link that was refused stays until the first change. */
-export function mountAddress(store: Store, context: Context): void {
+/**
+ * Updates the address after each change. A link that was refused stays until the first change.
+ *
+ * @returns Updates it at once.
+ */
+export function mountAddress(store: Store, context: Context): () => void {
+  let written = "";
   let resting: ReturnType<typeof setTimeout> | undefined;
   const write = (): void => {
     clearTimeout(resting);
     resting = undefined;
     const aiming = { ...store.state, session: { ...store.session, mode: "aim" as const } };
     try {
-      // Replaced, not pushed: "back" leaves the page as expected; the page has its own undo.
-      history.replaceState(null, "", fragment(context.engine, store.shot, aiming));
+      // Replaced, not pushed: the page has its own undo.
+      history.replaceState(history.state, "", fragment(context.engine, store.shot, aiming));
+      written = location.hash;
     } catch {
       // In a notebook or another page's frame the address cannot be changed.
     }
@@ -192,10 +198,12 @@ export function mountAddress(store: Store, context: Context): void {
     if (resting !== undefined) write();
   });
   addEventListener("hashchange", () => {
+    if (location.hash === written) return;
     clearTimeout(resting);
     resting = undefined;
     void openText(store, context, location.hash);
   });
+  return write;
 }
 
 /** Opens the text of a link. A damaged one changes nothing. */

@@ -18,7 +18,7 @@ export function filmSection(store: Store, context: Context): HTMLElement {
   const rate = h(
     "select",
     { id: uniqueId("rate") },
-    ...RATES.map((r) =>
+    ...RATES.filter((r) => r <= 1).map((r) =>
       h("option", { value: r }, r === 1 ? t("film.normal") : t("film.slower", { count: 1 / r })),
     ),
   );

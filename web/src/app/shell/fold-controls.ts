@@ -12,7 +12,8 @@ const SWIPE = 40;
 /** The handle of a sheet: a tap or a swipe down closes it. */
 export function mountHandle(sheet: HTMLElement, close: () => void): void {
   const name = t("page.close-sheet");
-  const handle = h("button", { type: "button", class: "drawer-handle", "aria-label": name });
+  const attributes = { type: "button", class: "drawer-handle", "aria-label": name };
+  const handle = h("button", { ...attributes, "data-back": true });
   sheet.prepend(handle);
   let from: number | null = null;
   const follow = (y: number): number => Math.max(0, y - (from ?? y));

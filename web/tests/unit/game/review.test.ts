@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
 import type { Decision, FrameRecord, PlayerOptions } from "../../../src/engine/index.ts";
 import type { Store } from "../../../src/app/document/store.ts";
-import { concede, playShot } from "../../../src/app/game/game-actions.ts";
-import { type Cost, costsOf, worstOf } from "../../../src/app/game/review/shot-costs.ts";
+import { concede, playDecision, playShot } from "../../../src/app/game/game-actions.ts";
+import { type Cost, costsOf, gradeOf, worstOf } from "../../../src/app/game/review/shot-costs.ts";
 import { neighbour, replayedMove, traceOf } from "../../../src/app/game/review/reviewed-shots.ts";
 import { standing } from "../../../src/app/game/awaited-turn.ts";
 import { begun, context, engine } from "./games.ts";
@@ -83,9 +83,29 @@ describe("the costs of shots", () => {
   });
 
   test("are listed for the three worst shots, without those that cost nearly nothing", () => {
-    const costs = [0.5, 0.3, 0.04, 0.035, 0.02].map((loss) => ({ before: 0.6, after: 0.6 - loss }));
-    expect(worstOf(costs as Cost[])).toEqual(costs.slice(0, 3));
-    expect(worstOf(costs.slice(2) as Cost[])).toEqual(costs.slice(2, 4));
+    const costs = [0.04, 0.5, 0.3, 0.035, 0.02].map((loss) => ({ before: 0.6, after: 0.6 - loss }));
+    const [small, great, large, other] = costs;
+    expect(worstOf(costs as Cost[])).toEqual([great, large, small]);
+    expect(worstOf(costs.slice(3) as Cost[])).toEqual([other]);
+    const machines = costs.map((cost) => ({ ...cost, byMachine: true }));
+    expect(worstOf(machines as Cost[])).toEqual([]);
+  });
+
+  test("are marked by what they cost", () => {
+    const grades = [0, 0.02, 0.05, 0.2].map((loss) => gradeOf({ before: 0.6, after: 0.6 - loss }));
+    expect(grades).toEqual(["good", "good", "slip", "mistake"]);
+  });
+
+  test("have the shots of a machine too, which are not among the costliest", async () => {
+    const store = begun("nine-ball", { from: HANGING, machines: ["level-5", null] });
+    const options = { simulations: 100, seed: 1 };
+    const made = await thinker.choose(standing(store, engine)!.frame.record, options);
+    playDecision(store, context, made, () => undefined);
+    const [game, progress] = [store.document.game!, standing(store, engine)!];
+    const costs = (await costsOf(engine, game, progress, thinker, () => true))!;
+    expect(costs).toHaveLength(1);
+    expect(costs[0]).toMatchObject({ index: 0, player: 0, byMachine: true });
+    expect(worstOf(costs)).toEqual([]);
   });
 
   test("the shot that wins costs nothing", async () => {

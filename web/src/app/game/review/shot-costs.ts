@@ -1,4 +1,4 @@
-/** What the shots of a frame have cost: the chance to win before and after each of a person's shots. */
+/** What the shots of a frame have cost: the chance to win before and after each of them. */
 
 import type {
   Decision,
@@ -21,14 +21,19 @@ const SIMULATIONS = 800;
 /** The errors of a person for whom none are chosen. */
 const USUAL = "club";
 
-/** Shots that are listed, and the least loss of a listed one. */
+/** Shots that are listed as the costliest, and the least loss of one of them. */
 const LISTED = 3;
 const LEAST = 0.03;
+
+/** The loss from which a shot is marked as a mistake. */
+const GROSS = 0.1;
 
 export interface Cost {
   /** Index of the move. */
   readonly index: number;
   readonly player: Seat;
+  /** Whether a machine played it: its shots are in the curve, and not among the costliest. */
+  readonly byMachine: boolean;
   /** Chance to win with the best play, and after what was played. */
   readonly before: number;
   readonly after: number;
@@ -36,7 +41,7 @@ export interface Cost {
 }
 
 /**
- * The costs of all shots of persons, the costliest first.
+ * The costs of all shots, in their order.
  *
  * @param watch Called before every position with the number of those that are done, and of all; false ends
  *   the search.
@@ -51,9 +56,7 @@ export async function costsOf(
 ): Promise<Cost[] | null> {
   const { record } = frame;
   const noises = [0, 1].map((player) => noiseOf(engine, game, player === 0 ? 0 : 1));
-  const shots = steps.flatMap((step, index) =>
-    isShot(step) && machineOf(game.setup, step.player) === null ? [index] : [],
-  );
+  const shots = steps.flatMap((step, index) => (isShot(step) ? [index] : []));
   const needed = [...new Set(shots.flatMap((index) => [index, index + 1]))];
   const decisions = new Map<number, Decision>();
   for (const [done, made] of needed.entries()) {
@@ -69,20 +72,34 @@ export async function costsOf(
     };
     decisions.set(made, await thinker.choose(position, options));
   }
-  const costs = shots.flatMap((index): Cost[] => {
+  return shots.flatMap((index): Cost[] => {
     const { player } = steps[index]!;
     const { win_chance: before = null, play = null } = decisions.get(index) ?? {};
     const next = steps[index + 1]?.before.request ?? frame.state.request;
     const after = chance(player, next, decisions.get(index + 1)?.win_chance ?? null);
     if (before === null || after === null || !play) return [];
-    return [{ index, player, before, after, best: play }];
+    const byMachine = machineOf(game.setup, player) !== null;
+    return [{ index, player, byMachine, before, after, best: play }];
   });
-  return costs.sort((a, b) => b.before - b.after - (a.before - a.after));
 }
 
-/** The costliest shots, if they cost enough. @param costs The costliest first. */
+/** What a shot has cost: the loss of the chance to win. */
+export function lossOf({ before, after }: Pick<Cost, "before" | "after">): number {
+  return before - after;
+}
+
+/** How a shot is marked in the curve. */
+export function gradeOf(cost: Pick<Cost, "before" | "after">): "good" | "slip" | "mistake" {
+  const loss = lossOf(cost);
+  return loss > GROSS ? "mistake" : loss > LEAST ? "slip" : "good";
+}
+
+/** The costliest shots of persons, if they cost enough; the costliest first. */
 export function worstOf(costs: readonly Cost[]): readonly Cost[] {
-  return costs.filter(({ before, after }) => before - after > LEAST).slice(0, LISTED);
+  return costs
+    .filter((cost) => !cost.byMachine && lossOf(cost) > LEAST)
+    .sort((a, b) => lossOf(b) - lossOf(a))
+    .slice(0, LISTED);
 }
 
 /** The chance of `player` to win, when the next player has the chance `win`. */

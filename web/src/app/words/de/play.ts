@@ -55,9 +55,13 @@ export const texts: Translation<typeof en.play> = {
   "review.shot": "Stoß {number} von {of}, {name}",
   "review.replay": "Zug {number} noch einmal sehen",
 
-  "costs.title": "Die drei teuersten Stöße",
+  "costs.title": "Rückblick auf das Spiel",
+  "costs.all": "Alle Stöße",
+  "costs.replay": "Noch einmal sehen",
+  "costs.graph":
+    "Die Aussicht von {name}, das Spiel zu gewinnen, Stoß für Stoß: von {from} % auf {to} %. Alle Stöße stehen in der Liste darunter.",
   "costs.hint":
-    "Nach der Aussicht, das Spiel zu gewinnen, vor dem Stoß mit dem besten Stoß und danach. Auch Glück zählt.",
+    "Nach der Aussicht, das Spiel zu gewinnen, vor dem Stoß mit dem besten Stoß und danach. Auch Glück zählt. Kreis: ein guter Stoß; Dreieck: Er kostete mehr als 3 %; Raute: mehr als 10 %. Die teuersten Stöße von Personen:",
   "costs.looking": "Das Spiel wird durchgesehen: {done} von {all} Lagen …",
   "costs.cancel": "Abbrechen",
   "costs.cancelled": "Abgebrochen.",

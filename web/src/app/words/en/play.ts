@@ -53,9 +53,13 @@ export const texts = {
   "review.shot": "Shot {number} of {of}, {name}",
   "review.replay": "Replay move {number}",
 
-  "costs.title": "The three costliest shots",
+  "costs.title": "Review of the frame",
+  "costs.all": "Every shot",
+  "costs.replay": "Replay",
+  "costs.graph":
+    "The chance of {name} to win the frame, shot by shot: from {from} % to {to} %. Every shot is in the list below.",
   "costs.hint":
-    "By the chance to win the frame, before the shot with the best play and after it. Luck counts too.",
+    "By the chance to win the frame, before the shot with the best play and after it. Luck counts too. Circle: a good shot; triangle: it cost more than 3 %; diamond: more than 10 %. The costliest shots of persons:",
   "costs.looking": "Looking through the frame: {done} of {all} positions …",
   "costs.cancel": "Cancel",
   "costs.cancelled": "Cancelled.",

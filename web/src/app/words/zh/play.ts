@@ -55,8 +55,12 @@ export const texts: Translation<typeof en.play> = {
   "review.shot": "第 {number} 杆，共 {of} 杆，{name}",
   "review.replay": "重看第 {number} 步",
 
-  "costs.title": "代价最大的三杆",
-  "costs.hint": "按赢得本局的概率：击球前采用最佳打法时，与击球之后相比。运气也计算在内。",
+  "costs.title": "本局回顾",
+  "costs.all": "每一杆",
+  "costs.replay": "重看",
+  "costs.graph": "{name}赢得本局的概率，逐杆显示：从 {from} % 到 {to} %。下面的列表有每一杆。",
+  "costs.hint":
+    "按赢得本局的概率：击球前采用最佳打法时，与击球之后相比。运气也计算在内。圆点：好球；三角：损失超过 3 %；菱形：超过 10 %。真人代价最大的几杆：",
   "costs.looking": "正在回顾这一局：{all} 个局面中的第 {done} 个……",
   "costs.cancel": "取消",
   "costs.cancelled": "已取消。",
