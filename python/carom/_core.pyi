@@ -36,6 +36,7 @@ __all__ = [
     "check_perception",
     "check_player",
     "check_record",
+    "clustered",
     "dated_value",
     "default_options",
     "draw_strikes",
@@ -299,6 +300,7 @@ def evaluate(
     sampling: Sampling,
     watch: tuple[str, str | None] | None,
     referee: tuple[Frame, tuple[str, str | None, str | None]] | None,
+    tables: Sequence[Shot],
     threads: int,
     report: _Report,
 ) -> dict[str, Any]: ...
@@ -317,6 +319,7 @@ def pot_map(
     target: tuple[int, int],
     cells: tuple[int, int],
     sampling: Sampling,
+    tables: Sequence[Shot],
     threads: int,
     report: _Report,
 ) -> tuple[
@@ -378,10 +381,12 @@ def solve(
     goal: Goal,
     search: Search,
     sampling: Sampling,
+    tables: Sequence[Shot],
     threads: int,
     report: _Report,
 ) -> list[dict[str, Any]]: ...
 def stages() -> list[str]: ...
+def clustered(tables: Sequence[tuple[int, int]], level: float) -> tuple[float, float]: ...
 def wilson(hits: int, trials: int, level: float) -> tuple[float, float]: ...
 def break_presets() -> list[dict[str, Any]]: ...
 def repaired(

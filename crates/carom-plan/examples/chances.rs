@@ -34,7 +34,7 @@ fn run(file: &str, variants: &str) -> Result<u64, Box<dyn std::error::Error>> {
     let mut fell = 0;
     for line in std::fs::read_to_string(file)?.lines() {
         let shot = Shot::from_json(line)?;
-        fell += evaluate(&shot, &question, &Progress::default())?.potted.iter().sum::<u64>();
+        fell += evaluate(&shot, &question, &Progress::default())?.counts.potted.iter().sum::<u64>();
     }
     Ok(fell)
 }

@@ -3,7 +3,7 @@
 use carom::noise::{Errors, Perception};
 use carom::{Error, ErrorKind, Noise};
 
-use crate::interval::{Interval, wilson};
+use crate::interval::{Interval, clustered, wilson};
 use crate::progress::Progress;
 
 /// Variants between two checks of one probability's precision. A nearly certain probability needs
@@ -64,25 +64,37 @@ impl ErrorModel {
     /// Whether the probabilities with these `counts` among `trials` have the requested precision.
     /// False if there is no requested precision.
     pub(crate) fn is_precise(&self, counts: impl IntoIterator<Item = u64>, trials: u64) -> bool {
-        let precise = |wanted| {
-            move |met| Chance { met, variants: trials }.interval(self.level).half_width() <= wanted
-        };
-        self.half_width.is_some_and(|wanted| counts.into_iter().all(precise(wanted)))
+        let chances =
+            counts.into_iter().map(|met| ChanceByTable(vec![Chance { met, variants: trials }]));
+        self.are_precise(chances)
     }
 
-    /// The probability that `happens` holds for a variant, counted until it is precise enough. A
-    /// stopped `progress` ends the count early.
+    /// Whether these probabilities have the requested precision. False if there is none.
+    pub(crate) fn are_precise(&self, chances: impl IntoIterator<Item = ChanceByTable>) -> bool {
+        self.half_width.is_some_and(|wanted| {
+            chances.into_iter().all(|chance| chance.interval(self.level).half_width() <= wanted)
+        })
+    }
+
+    /// The probability that `happens` holds for a variant, counted until it is precise enough;
+    /// the variants take turns on `tables` tables. A stopped `progress` ends the count early.
     pub(crate) fn count(
         &self,
+        tables: usize,
         progress: &Progress,
         mut happens: impl FnMut(u64) -> bool,
-    ) -> Chance {
-        let mut chance = Chance::default();
-        while chance.variants < self.variants && !progress.is_stopped() {
-            let end = self.variants.min(chance.variants + VARIANTS_BETWEEN_CHECKS);
-            chance.met += (chance.variants..end).filter(|k| happens(*k)).count() as u64;
-            chance.variants = end;
-            if self.is_precise([chance.met], chance.variants) {
+    ) -> ChanceByTable {
+        let mut chance = ChanceByTable(vec![Chance::default(); tables]);
+        let mut played = 0;
+        while played < self.variants && !progress.is_stopped() {
+            let end = self.variants.min(played + VARIANTS_BETWEEN_CHECKS);
+            for k in played..end {
+                let table = &mut chance.0[(k % tables as u64) as usize];
+                table.met += u64::from(happens(k));
+                table.variants += 1;
+            }
+            played = end;
+            if self.are_precise([chance.clone()]) {
                 break;
             }
         }
@@ -143,38 +155,80 @@ impl Chance {
     }
 }
 
+/// A probability that was counted on several tables, of which each may be the true one; or on one.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct ChanceByTable(pub Vec<Chance>);
+
+impl ChanceByTable {
+    /// The probability over all tables.
+    pub fn total(&self) -> Chance {
+        self.0.iter().fold(Chance::default(), |sum, one| Chance {
+            met: sum.met + one.met,
+            variants: sum.variants + one.variants,
+        })
+    }
+
+    /// The confidence interval of that; several tables are clusters ([`clustered`]).
+    pub fn interval(&self, level: f64) -> Interval {
+        match self.0.as_slice() {
+            [one] => one.interval(level),
+            tables => {
+                let counts: Vec<_> = tables.iter().map(|one| (one.met, one.variants)).collect();
+                clustered(&counts, level)
+            }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::{Chance, ErrorModel, Progress, VARIANTS_BETWEEN_CHECKS};
+    use super::{Chance, ChanceByTable, ErrorModel, Progress, VARIANTS_BETWEEN_CHECKS};
 
     #[test]
     fn counting_ends_at_the_first_check_that_finds_the_chance_precise() {
         let progress = Progress::default();
         let model =
             ErrorModel { variants: 10_000, half_width: Some(0.05), ..ErrorModel::default() };
-        let half = model.count(&progress, |k| k % 2 == 0);
+        let half = model.count(1, &progress, |k| k % 2 == 0).total();
         let width = |variants| Chance { met: variants / 2, variants }.interval(0.95).half_width();
         assert!(width(half.variants) <= 0.05);
         assert!(width(half.variants - VARIANTS_BETWEEN_CHECKS) > 0.05);
         // A certain event is precise sooner.
         let first_check =
             Chance { met: VARIANTS_BETWEEN_CHECKS, variants: VARIANTS_BETWEEN_CHECKS };
-        assert_eq!(model.count(&progress, |_| true), first_check);
-        let all = ErrorModel { half_width: None, ..model }.count(&progress, |k| k < 3);
-        assert_eq!(all, Chance { met: 3, variants: 10_000 });
+        assert_eq!(model.count(1, &progress, |_| true).total(), first_check);
+        let all = ErrorModel { half_width: None, ..model }.count(1, &progress, |k| k < 3);
+        assert_eq!(all.total(), Chance { met: 3, variants: 10_000 });
+    }
+
+    #[test]
+    fn a_table_that_decides_the_result_needs_more_tables_and_not_more_variants() {
+        let progress = Progress::default();
+        let model =
+            ErrorModel { variants: 10_000, half_width: Some(0.05), ..ErrorModel::default() };
+        // On every fourth of 20 tables it always happens.
+        let decided = model.count(20, &progress, |k| k % 4 == 0);
+        assert_eq!(decided.total(), Chance { met: 2500, variants: 10_000 });
+        assert_eq!(decided.0[4], Chance { met: 500, variants: 500 });
+        assert_eq!(decided.0[5], Chance { met: 0, variants: 500 });
+        assert!(decided.interval(0.95).half_width() > 0.15);
+        assert_eq!(
+            ChanceByTable(vec![decided.total()]).interval(0.95),
+            decided.total().interval(0.95)
+        );
     }
 
     #[test]
     fn a_stopped_count_ends_at_the_next_check() {
         let progress = Progress::default();
         let model = ErrorModel { variants: u64::MAX, ..ErrorModel::default() };
-        let chance = model.count(&progress, |k| {
+        let chance = model.count(3, &progress, |k| {
             if k == 200 {
                 progress.stop();
             }
             true
         });
-        assert_eq!(chance.variants, 2 * VARIANTS_BETWEEN_CHECKS);
+        assert_eq!(chance.total().variants, 2 * VARIANTS_BETWEEN_CHECKS);
     }
 
     #[test]

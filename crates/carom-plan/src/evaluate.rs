@@ -10,18 +10,19 @@
 
 use core::ops::Range;
 
-use carom::batch::{self, BatchResult, OFF_TABLE, PADDING};
+use carom::batch::{self, BatchResult, OFF_TABLE};
 use carom::noise::StruckBall;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
 use carom::{Error, ErrorKind, Shot};
 
-use crate::error_model::ErrorModel;
-use crate::interval::{Interval, wilson};
+use crate::drawn_tables::DrawnTables;
+use crate::error_model::{Chance, ChanceByTable, ErrorModel};
+use crate::interval::Interval;
 use crate::moments::Moments;
 use crate::part_size::PartSize;
 use crate::progress::Progress;
-use crate::referee::{Referee, Refereed, Verdicts};
+use crate::referee::{Referee, Refereed, VariantRuling};
 
 /// Variants between two checks of the precision: some milliseconds of work.
 pub const VARIANTS_PER_ROUND: u64 = 1024;
@@ -34,6 +35,8 @@ pub const MOST_VARIANTS: u64 = 1_000_000_000;
 pub struct Question<'a> {
     /// The errors of the player, the number of variants and the precision.
     pub model: ErrorModel,
+    /// The tables on which the variants are played.
+    pub tables: DrawnTables,
     /// The probability whose precision ends the evaluation early.
     pub watched: Watched,
     /// The game that decides whether a variant is legal.
@@ -94,15 +97,31 @@ impl Watched {
 /// The results of a shot's variants.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Evaluation {
+    /// The numbers of all variants.
+    pub counts: ResultCounts,
+    /// Those on each drawn table; empty if nothing about the table is unknown.
+    pub by_table: Vec<ResultCounts>,
+    /// The error of the first variant that could not be played.
+    pub first_failure: Option<Error>,
+    /// Index of the cue ball.
+    pub cue_ball: usize,
+    /// Mean (m) and covariance (m²) of each ball's place of rest on the table, in the file's
+    /// coordinates.
+    pub ends: Vec<Moments>,
+    /// Where the cue ball came to rest in each variant, m; NaN where it did not stay on the table.
+    pub cue_ball_ends: Vec<[f64; 2]>,
+    /// Confidence level of all intervals.
+    pub level: f64,
+}
+
+/// How often variants had each result.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ResultCounts {
     /// Number of variants.
     pub variants: u64,
     /// Number of variants that could not be played, such as miscues. They count as variants in
     /// which no ball falls.
     pub failed: u64,
-    /// The error of the first of them.
-    pub first_failure: Option<Error>,
-    /// Index of the cue ball.
-    pub cue_ball: usize,
     /// Number of pockets.
     pub pockets: usize,
     /// Number of variants in which each ball fell into each pocket: row by ball, column by pocket.
@@ -114,28 +133,21 @@ pub struct Evaluation {
     /// Number of variants after which the same player has the turn again or has won; None without
     /// a referee.
     pub turn_kept: Option<u64>,
-    /// Mean (m) and covariance (m²) of each ball's place of rest on the table, in the file's
-    /// coordinates.
-    pub ends: Vec<Moments>,
-    /// Where the cue ball came to rest in each variant, m; NaN where it did not stay on the table.
-    pub cue_ball_ends: Vec<[f64; 2]>,
-    /// Confidence level of all intervals.
-    pub level: f64,
 }
 
 /// Plays variants of `shot`'s strike. If `progress` is stopped, the result holds the variants
 /// played so far.
 ///
 /// # Errors [`Error::Input`] if the shot has no strike, for what [`ErrorModel::check`] rejects,
-/// for a watched ball or pocket that does not exist, and if the referee's frame does not ask for
-/// this shot. A variant that cannot be played is not an error: it is counted.
+/// for a watched ball or pocket that does not exist, for [`DrawnTables::check`], and if the referee's
+/// frame does not ask for this shot. A variant that cannot be played is not an error: it is counted.
 pub fn evaluate(
     shot: &Shot,
     question: &Question<'_>,
     progress: &Progress,
 ) -> Result<Evaluation, Error> {
     check(shot, question)?;
-    let Question { model, watched, .. } = question;
+    let Question { model, tables, watched, .. } = question;
     let refereed =
         question.referee.map(|referee| Refereed::new(shot, referee, model.errors())).transpose()?;
     let runner = Runner::new(question.threads)?;
@@ -143,27 +155,26 @@ pub fn evaluate(
     let mut part = PartSize::new(runner.threads());
     let mut evaluation = Evaluation::empty(shot, question);
     progress.begin(0, model.variants as usize);
-    while evaluation.variants < model.variants && !progress.is_stopped() {
-        let first = evaluation.variants;
+    while evaluation.counts.variants < model.variants && !progress.is_stopped() {
+        let first = evaluation.counts.variants;
         let round_left = model.variants.min(round - first % round + first) - first;
         let most = part.variants();
         let count = most.min(usize::try_from(round_left).unwrap_or(most));
         evaluation.reserve(count)?;
         part.play(|| {
             if let Some(refereed) = &refereed {
-                let (ends, verdicts) = refereed.simulate(first, count, &runner);
-                evaluation.count(&ends);
-                evaluation.rule(verdicts);
+                let (ends, verdicts) = refereed.simulate(first, count, tables, &runner);
+                evaluation.count(&ends, &verdicts, tables);
             } else {
-                evaluation.count(&simulate(shot, model, first..first + count as u64, &runner)?);
+                let ends = simulate(shot, question, first..first + count as u64, &runner)?;
+                evaluation.count(&ends, &[], tables);
             }
             Ok::<(), Error>(())
         })?;
         progress.add(count);
-        let ends_round =
-            evaluation.variants.is_multiple_of(round) || evaluation.variants == model.variants;
-        if ends_round && model.is_precise(evaluation.watched_counts(*watched), evaluation.variants)
-        {
+        let played = evaluation.counts.variants;
+        let ends_round = played.is_multiple_of(round) || played == model.variants;
+        if ends_round && model.are_precise(evaluation.watched(*watched)) {
             break;
         }
     }
@@ -173,13 +184,14 @@ pub fn evaluate(
 /// Plays these `variants`, with the strikes that [`batch::draw_strikes`] draws.
 fn simulate(
     shot: &Shot,
-    model: &ErrorModel,
+    Question { model, tables, .. }: &Question<'_>,
     variants: Range<u64>,
     runner: &Runner,
 ) -> Result<BatchResult, Error> {
     let first = variants.start;
     let strikes = draw(shot, model, variants, runner);
-    batch::simulate_variants(shot, &strikes, &model.errors(), first, runner)
+    let (shots, errors) = (tables.shots(shot), model.errors());
+    batch::simulate_variants_in_turn(shots, &strikes, &errors, first, runner)
 }
 
 fn draw(shot: &Shot, model: &ErrorModel, variants: Range<u64>, runner: &Runner) -> Vec<Strike> {
@@ -214,6 +226,7 @@ fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {
         );
     }
     question.model.check()?;
+    question.tables.check(shot)?;
     if question.model.variants > MOST_VARIANTS {
         let what = format!("{} is out of range", question.model.variants);
         return refuse(ErrorKind::OutOfRange, "n", what, &format!("give at most {MOST_VARIANTS}"));
@@ -244,79 +257,124 @@ fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {
 
 impl Evaluation {
     fn empty(shot: &Shot, question: &Question<'_>) -> Self {
-        let (balls, pockets) = (shot.balls().len(), shot.table().pockets.len());
-        let refereed = question.referee.map(|_| 0);
+        let counts = ResultCounts::empty(shot, question.referee.is_some());
+        let tables = question.tables.count();
         Self {
-            variants: 0,
-            failed: 0,
+            by_table: if tables > 1 { vec![counts.clone(); tables] } else { Vec::new() },
+            counts,
             first_failure: None,
             cue_ball: shot.cue_ball().unwrap_or_default(),
-            pockets,
-            potted: vec![0; balls * pockets],
-            off_table: vec![0; balls],
-            legal: refereed,
-            turn_kept: refereed,
-            ends: vec![Moments::default(); balls],
+            ends: vec![Moments::default(); shot.balls().len()],
             cue_ball_ends: Vec::new(),
             level: question.model.level,
         }
     }
 
-    fn count(&mut self, round: &BatchResult) {
+    /// Counts the variants that follow those counted so far; without a referee there are no
+    /// `verdicts`.
+    fn count(&mut self, round: &BatchResult, verdicts: &[VariantRuling], tables: &DrawnTables) {
+        let first = self.counts.variants;
         let rows = round.pocket.chunks(round.balls).zip(round.final_position.chunks(round.balls));
-        for (pockets, places) in rows {
+        for (k, (pockets, places)) in rows.enumerate() {
+            self.each_count(tables.index(first + k as u64), |c| c.add(pockets, verdicts.get(k)));
             let mut cue_ball_end = [f64::NAN; 2];
-            for (ball, (pocket, [x, y, _])) in pockets.iter().zip(places).enumerate() {
-                match *pocket {
-                    OFF_TABLE => self.off_table[ball] += 1,
-                    PADDING => (),
-                    batch::ON_TABLE => {
-                        self.ends[ball].add([*x, *y]);
-                        if ball == self.cue_ball {
-                            cue_ball_end = [*x, *y];
-                        }
+            for (ball, [x, y, _]) in places.iter().enumerate() {
+                if pockets[ball] == batch::ON_TABLE {
+                    self.ends[ball].add([*x, *y]);
+                    if ball == self.cue_ball {
+                        cue_ball_end = [*x, *y];
                     }
-                    pocket => self.potted[ball * self.pockets + pocket as usize] += 1,
                 }
             }
             self.cue_ball_ends.push(cue_ball_end);
         }
-        self.variants += round.shots as u64;
-        self.failed += round.errors.len() as u64;
+        for (k, _) in &round.errors {
+            self.each_count(tables.index(first + *k as u64), |counts| counts.failed += 1);
+        }
         if self.first_failure.is_none() {
             self.first_failure = round.errors.first().map(|(_, error)| error.clone());
         }
     }
 
-    fn rule(&mut self, verdicts: Verdicts) {
-        self.legal = self.legal.map(|count| count + verdicts.legal);
-        self.turn_kept = self.turn_kept.map(|count| count + verdicts.turn_kept);
+    /// Changes the numbers of all variants and those on this table.
+    fn each_count(&mut self, table: usize, change: impl Fn(&mut ResultCounts)) {
+        change(&mut self.counts);
+        self.by_table.get_mut(table).map(change);
     }
 
     /// Makes room for `count` more variants.
     fn reserve(&mut self, count: usize) -> Result<(), Error> {
         self.cue_ball_ends.try_reserve(count).map_err(|_| {
-            let what = format!("no memory for more than {} variants", self.variants);
+            let what = format!("no memory for more than {} variants", self.counts.variants);
             ErrorKind::System.at("n", what, "give fewer, or a precision")
         })
     }
 
-    /// The counts of the watched probability, or of all.
-    fn watched_counts(&self, watched: Watched) -> Vec<u64> {
-        let mut counts: Vec<u64> = Vec::new();
+    /// The watched probability, or all.
+    fn watched(&self, watched: Watched) -> Vec<ChanceByTable> {
+        let (all, cue_ball) = (&self.counts, self.cue_ball);
+        let of = |count: &dyn Fn(&ResultCounts) -> u64| self.chance(count);
         match watched {
-            Watched::Ball(ball) => counts.push(self.falls(ball)),
-            Watched::Pocket(ball, pocket) => counts.push(self.falls_into(ball, pocket)),
-            Watched::Scratch => counts.push(self.falls(self.cue_ball)),
-            Watched::Legal => counts.extend(self.legal),
+            Watched::Ball(ball) => vec![of(&|c| c.falls(ball))],
+            Watched::Pocket(ball, pocket) => vec![of(&|c| c.falls_into(ball, pocket))],
+            Watched::Scratch => vec![of(&|c| c.falls(cue_ball))],
+            Watched::Legal => vec![of(&|c| c.legal.unwrap_or(0))],
             Watched::Everything => {
-                counts.extend_from_slice(&self.potted);
-                counts.extend((0..self.off_table.len()).map(|ball| self.falls(ball)));
-                counts.extend_from_slice(&self.off_table);
-                counts.extend(self.legal.into_iter().chain(self.turn_kept));
+                let cells = (0..all.potted.len()).map(|k| of(&|c| c.potted[k]));
+                let balls = 0..all.off_table.len();
+                let falls = balls.clone().map(|ball| of(&|c| c.falls(ball)));
+                let gone = balls.map(|ball| of(&|c| c.off_table[ball]));
+                let ruled = all.legal.into_iter().flat_map(|_| {
+                    [of(&|c| c.legal.unwrap_or(0)), of(&|c| c.turn_kept.unwrap_or(0))]
+                });
+                cells.chain(falls).chain(gone).chain(ruled).collect()
             }
         }
-        counts
+    }
+
+    /// The probability of the result that `count` reads, on each table.
+    pub fn chance(&self, count: impl Fn(&ResultCounts) -> u64) -> ChanceByTable {
+        let of = |counts: &ResultCounts| Chance { met: count(counts), variants: counts.variants };
+        if self.by_table.is_empty() {
+            return ChanceByTable(vec![of(&self.counts)]);
+        }
+        ChanceByTable(self.by_table.iter().map(of).collect())
+    }
+
+    /// The confidence interval of the result that `count` reads.
+    pub fn interval(&self, count: impl Fn(&ResultCounts) -> u64) -> Interval {
+        self.chance(count).interval(self.level)
+    }
+}
+
+impl ResultCounts {
+    fn empty(shot: &Shot, ruled: bool) -> Self {
+        let (balls, pockets) = (shot.balls().len(), shot.table().pockets.len());
+        Self {
+            variants: 0,
+            failed: 0,
+            pockets,
+            potted: vec![0; balls * pockets],
+            off_table: vec![0; balls],
+            legal: ruled.then_some(0),
+            turn_kept: ruled.then_some(0),
+        }
+    }
+
+    /// Adds a variant, whose balls ended in these `pockets`.
+    fn add(&mut self, pockets: &[i8], verdict: Option<&VariantRuling>) {
+        self.variants += 1;
+        for (ball, pocket) in pockets.iter().enumerate() {
+            match *pocket {
+                OFF_TABLE => self.off_table[ball] += 1,
+                pocket if pocket >= 0 => self.potted[ball * self.pockets + pocket as usize] += 1,
+                _ => (),
+            }
+        }
+        if let Some(verdict) = verdict {
+            self.legal = self.legal.map(|count| count + u64::from(verdict.legal));
+            self.turn_kept = self.turn_kept.map(|count| count + u64::from(verdict.turn_kept));
+        }
     }
 
     /// Number of variants in which ball `ball` fell.
@@ -327,10 +385,5 @@ impl Evaluation {
     /// Number of variants in which ball `ball` fell into pocket `pocket`.
     pub fn falls_into(&self, ball: usize, pocket: usize) -> u64 {
         self.potted[ball * self.pockets + pocket]
-    }
-
-    /// The confidence interval of a result that occurred in `count` variants.
-    pub fn interval(&self, count: u64) -> Interval {
-        wilson(count, self.variants, self.level)
     }
 }

@@ -6,7 +6,8 @@ use carom::noise::StruckBall;
 use carom::resolve::cue_ball::Strike;
 use carom::{Error, ErrorKind, MotionState, Shot, Simulator};
 
-use crate::error_model::{Chance, ErrorModel};
+use crate::drawn_tables::DrawnTables;
+use crate::error_model::{ChanceByTable, ErrorModel};
 use crate::places::{Places, distance};
 use crate::progress::Progress;
 use crate::reach::Reach;
@@ -300,22 +301,26 @@ impl<'a> GoalTester<'a> {
         Some(recorder.finish(layout, &self.simulator, played.ok()?.duration))
     }
 
-    /// The probability that `strike` meets the goal. A stopped `progress` ends the count early.
+    /// The probability that `strike` meets the goal, on each of `tables`. A stopped `progress` ends
+    /// the count early.
     pub(crate) fn chance(
         &mut self,
         strike: &Strike,
         model: &ErrorModel,
+        tables: &DrawnTables,
         progress: &Progress,
-    ) -> Chance {
+    ) -> ChanceByTable {
         let struck = self.fresh.cue_ball;
         let ball = StruckBall::of(self.shot, &self.shot.balls()[struck].ball);
         let errors = model.errors();
-        model.count(progress, |k| {
+        let (shots, plain) = (tables.shots(self.shot), *tables == DrawnTables::default());
+        model.count(tables.count(), progress, |k| {
             let strike = model.noise.draw(strike, &ball, model.seed, k);
-            let attempt = if errors.are_of_the_strike() {
+            let attempt = if plain && errors.are_of_the_strike() {
                 self.execute(&strike)
             } else {
-                let variant = errors.shot(self.shot, Some((struck, strike)), k).ok();
+                let table = &shots[tables.index(k)];
+                let variant = errors.shot(table, Some((struck, strike)), k).ok();
                 variant.and_then(|variant| self.play_on(&variant, &strike))
             };
             attempt.is_some_and(|a| a.is_met())

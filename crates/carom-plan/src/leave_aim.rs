@@ -11,6 +11,7 @@ use carom::resolve::cue_ball::Strike;
 use carom::{Error, ErrorKind, Shot};
 
 use crate::aim::{Free, Limits, TriedStrike, center, refine, straight};
+use crate::drawn_tables::DrawnTables;
 use crate::error_model::{Chance, ErrorModel};
 use crate::goal::{Disc, Goal, GoalTester};
 use crate::progress::Progress;
@@ -99,8 +100,9 @@ pub fn leave_aim(
         let strike = if kept.is_some() { moved.strike } else { start.strike };
         let end = kept.map_or(start.attempt.cue_ball_end, |attempt| attempt.cue_ball_end);
         let distance = away(end);
-        let chance =
-            GoalTester::new(shot, disc(end, AREA)).chance(&strike, model, &Progress::default());
+        let (none, progress) = (DrawnTables::default(), Progress::default());
+        let mut area = GoalTester::new(shot, disc(end, AREA));
+        let chance = area.chance(&strike, model, &none, &progress).total();
         let is_reached = distance <= REACHED;
         let aim = LeaveAim { strike, end, distance, is_reached, chance };
         if best.is_none_or(|best| aim.is_better(&best)) {

@@ -8,6 +8,9 @@
 //! - [`sweep`] plays the rows of a table of shots.
 //! - A [`Sampler`] gives the frames that may follow a play, for programs that search.
 //!
+//! The questions whose answers are probabilities may be asked of several tables, of which each may be
+//! the true one ([`DrawnTables`]).
+//!
 //! Every answer depends only on the shot, the noise, the seed and the number of variants: it is the
 //! same for any number of threads and on every platform. Long tasks take a [`Progress`], through
 //! which another thread can watch and stop them.
@@ -15,6 +18,7 @@
 mod aim;
 pub mod breaks;
 pub mod cushions;
+pub mod drawn_tables;
 pub mod error_model;
 pub mod evaluate;
 pub mod goal;
@@ -36,10 +40,11 @@ mod successors;
 pub mod sweep;
 
 pub use carom_rules::Prepared;
-pub use error_model::{Chance, ErrorModel, check_level};
-pub use evaluate::{Evaluation, Question, Watched, evaluate};
+pub use drawn_tables::DrawnTables;
+pub use error_model::{Chance, ChanceByTable, ErrorModel, check_level};
+pub use evaluate::{Evaluation, Question, ResultCounts, Watched, evaluate};
 pub use goal::{Disc, Goal};
-pub use interval::{Interval, two_sided_quantile, wilson};
+pub use interval::{Interval, clustered, two_sided_quantile, wilson};
 pub use leave_aim::{LeaveAim, leave_aim};
 pub use moments::Moments;
 pub use pot_aim::{PotAim, PotLines, pot_aim};

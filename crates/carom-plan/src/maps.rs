@@ -7,14 +7,25 @@ use carom::shot::PlacedBall;
 use carom::{BallState, Error, ErrorKind, Shot, Simulator};
 
 use crate::aim::{Free, TriedStrike, center, refine, straight};
-use crate::error_model::{Chance, ErrorModel};
+use crate::drawn_tables::DrawnTables;
+use crate::error_model::{Chance, ChanceByTable, ErrorModel};
 use crate::goal::{Goal, GoalTester};
 use crate::grid::{check_cells, each_cell};
+use crate::interval::Interval;
 use crate::progress::Progress;
 
 /// Greatest speed of a strike and of a ball, m/s: the ranges of a shot file.
 const FASTEST_CUE: f64 = 50.0;
 pub(crate) const FASTEST_BALL: f64 = 100.0;
+
+/// A ball and the pocket it shall fall into, by their indices in the shot and the table.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct PotTarget {
+    /// The ball.
+    pub ball: usize,
+    /// The pocket.
+    pub pocket: usize,
+}
 
 /// The probability of a pot from every place of the cue ball.
 #[derive(Clone, Debug, PartialEq)]
@@ -22,33 +33,36 @@ pub struct PotMap {
     /// Cells along x and y; cell (i, j) is at ((i + ½) width / columns, (j + ½) length / rows).
     pub cells: [usize; 2],
     /// The probability that the ball falls and the cue ball does not, row by row. It has no
-    /// variants where the cue ball has no room.
+    /// variants where the cue ball has no room, be it on a single drawn table.
     pub chance: Vec<Chance>,
+    /// Its confidence interval; [0, 1] without variants.
+    pub interval: Vec<Interval>,
     /// The azimuth of the aim, rad; NaN where the cue ball has no room.
     pub azimuth: Vec<f64>,
 }
 
-/// The probability of potting `ball` straight into `pocket` with the cue ball anywhere on the
-/// table, struck with the speed and spin of `shot`'s own strike. For every place the aim is
-/// refined until it pots exactly, and turned to the middle of the azimuths that pot.
+/// The probability of potting a ball straight into a pocket with the cue ball anywhere on the table, struck with the speed and spin of `shot`'s own strike. For every
+/// place the aim is refined until it pots exactly on the shot's own table, and turned to the middle
+/// of the azimuths that pot. The variants are played in turn on `tables`.
 ///
 /// Cells that were not reached before `progress` was stopped have no variants.
 ///
 /// # Errors
-/// [`Error::Input`] for what [`Goal::check`] and [`ErrorModel::check`] reject, for cloth without
-/// cushions, and for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) cells.
+/// [`Error::Input`] for what [`Goal::check`], [`ErrorModel::check`] and [`DrawnTables::check`]
+/// reject, for cloth without cushions, and for more than [`MAX_CELLS`](crate::grid::MAX_CELLS) cells.
 pub fn pot_map(
     shot: &Shot,
-    ball: usize,
-    pocket: usize,
+    target: PotTarget,
     cells: [usize; 2],
     model: &ErrorModel,
+    tables: &DrawnTables,
     threads: Option<usize>,
     progress: &Progress,
 ) -> Result<PotMap, Error> {
-    let goal = Goal { pot: Some((ball, Some(pocket))), ..Goal::default() };
+    let goal = Goal { pot: Some((target.ball, Some(target.pocket))), ..Goal::default() };
     goal.check(shot)?;
     model.check()?;
+    tables.check(shot)?;
     let size = check_has_edges(shot)?;
     let [columns, rows] = cells;
     let count = check_cells("columns × rows", &cells)?;
@@ -61,35 +75,45 @@ pub fn pot_map(
         |(), cell| {
             let (row, column) = (cell / columns, cell % columns);
             let place = [center_of(column, columns, size.x), center_of(row, rows, size.y)];
-            pot_from(shot, place, &goal, ball, pocket, model, progress)
+            pot_from(shot, place, target, model, tables, progress)
         },
     )?;
-    let known =
-        found.into_iter().map(|cell| cell.flatten().unwrap_or((Chance::default(), f64::NAN)));
-    let (chance, azimuth) = known.unzip();
-    Ok(PotMap { cells, chance, azimuth })
+    let mut map = PotMap { cells, chance: vec![], interval: vec![], azimuth: vec![] };
+    for cell in found {
+        let (chance, azimuth) = cell.flatten().unwrap_or((ChanceByTable::default(), f64::NAN));
+        map.chance.push(chance.total());
+        map.interval.push(chance.interval(model.level));
+        map.azimuth.push(azimuth);
+    }
+    Ok(map)
 }
 
 /// The chance and the azimuth with the cue ball at `place`; None if it has no room there.
 fn pot_from(
     shot: &Shot,
-    [x, y]: [f64; 2],
-    goal: &Goal,
-    ball: usize,
-    pocket: usize,
+    place: [f64; 2],
+    target: PotTarget,
     model: &ErrorModel,
+    tables: &DrawnTables,
     progress: &Progress,
-) -> Option<(Chance, f64)> {
-    let (cue_ball, strike) = shot.strike()?;
+) -> Option<(ChanceByTable, f64)> {
+    let moved = with_cue_ball_at(shot, place)?;
+    let tables = tables.changed(|drawn| with_cue_ball_at(drawn, place))?;
+    let azimuth = straight(&moved, target.ball, target.pocket);
+    let aimed = moved.at_own_elevation(&Strike { azimuth, ..shot.strike()?.1 });
+    let goal = Goal { pot: Some((target.ball, Some(target.pocket))), ..Goal::default() };
+    let mut tester = GoalTester::new(&moved, goal);
+    let best = aim(&mut tester, aimed)?;
+    Some((tester.chance(&best.strike, model, &tables, progress), best.strike.azimuth))
+}
+
+/// `shot` with its cue ball at this place, m; None if it has no room there.
+fn with_cue_ball_at(shot: &Shot, [x, y]: [f64; 2]) -> Option<Shot> {
+    let cue_ball = shot.cue_ball()?;
     let mut balls = shot.balls().to_vec();
     let z = balls[cue_ball].state.position.z;
     balls[cue_ball].state.position = Vec3::new(x, y, z);
-    let moved = shot.with_layout(balls).ok()?;
-    let azimuth = straight(&moved, ball, pocket);
-    let aimed = moved.at_own_elevation(&Strike { azimuth, ..strike });
-    let mut tester = GoalTester::new(&moved, *goal);
-    let best = aim(&mut tester, aimed)?;
-    Some((tester.chance(&best.strike, model, progress), best.strike.azimuth))
+    shot.with_layout(balls).ok()
 }
 
 /// Where the cue ball ends with every speed and spin.

@@ -7,6 +7,7 @@ use carom::runner::Runner;
 use carom::{Error, ErrorKind, MotionState, Shot};
 use carom_rules::{Call, Frame, Play, Prepared};
 
+use crate::drawn_tables::DrawnTables;
 use crate::sampler::Sampler;
 
 /// A game in which the shot is played.
@@ -26,19 +27,19 @@ pub(crate) struct Refereed<'a> {
     errors: Errors,
 }
 
-/// Numbers of variants with these rulings.
+/// The ruling on a variant.
 #[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Verdicts {
+pub(crate) struct VariantRuling {
     /// The shot was legal.
-    pub(crate) legal: u64,
+    pub(crate) legal: bool,
     /// The same player has the turn again or has won.
-    pub(crate) turn_kept: u64,
+    pub(crate) turn_kept: bool,
 }
 
 /// One variant: the end of every ball, and the frame's ruling.
 struct RuledVariant {
     ends: Vec<(i8, [f64; 3])>,
-    verdicts: Verdicts,
+    verdict: VariantRuling,
 }
 
 impl<'a> Refereed<'a> {
@@ -71,26 +72,30 @@ impl<'a> Refereed<'a> {
         Ok(Self { prepared: Prepared::with_shot(frame, place, shot)?, call, meant, errors })
     }
 
-    /// Plays `count` variants from number `first` on.
+    /// Plays `count` variants from number `first` on, on `tables` in turn.
     pub(crate) fn simulate(
         &self,
         first: u64,
         count: usize,
+        tables: &DrawnTables,
         runner: &Runner,
-    ) -> (BatchResult, Verdicts) {
+    ) -> (BatchResult, Vec<VariantRuling>) {
+        let shots = tables.shots(self.prepared.shot());
+        let (noise, struck) = (&self.errors.noise, self.prepared.struck_ball());
         let worker = || (Sampler::new(), self.prepared.frame().clone());
         self.gather(runner.map(first..first + count as u64, worker, |(sampler, successor), k| {
-            sampler.simulate_variant(&self.prepared, &self.meant, &self.errors, k)?;
+            let strike = noise.draw(&self.meant, &struck, self.errors.seed, k);
+            let shot = &shots[tables.index(k)];
+            sampler.simulate_on(&self.prepared, shot, &strike, &self.errors, k)?;
             self.rule(sampler, successor)
         }))
     }
 
     fn rule(&self, sampler: &Sampler, successor: &mut Frame) -> Result<RuledVariant, Error> {
         let ruling = sampler.rule(&self.prepared, self.call, successor)?;
-        let player = self.prepared.turn().player;
-        let turn_kept = u64::from(successor.keeps_turn(player));
-        let verdicts = Verdicts { legal: u64::from(ruling.is_legal()), turn_kept };
-        Ok(RuledVariant { ends: self.ends(sampler), verdicts })
+        let turn_kept = successor.keeps_turn(self.prepared.turn().player);
+        let verdict = VariantRuling { legal: ruling.is_legal(), turn_kept };
+        Ok(RuledVariant { ends: self.ends(sampler), verdict })
     }
 
     /// The end of every ball: its pocket, numbered as in a batch, and its position.
@@ -112,22 +117,25 @@ impl<'a> Refereed<'a> {
         .collect()
     }
 
-    fn gather(&self, played: Vec<Result<RuledVariant, Error>>) -> (BatchResult, Verdicts) {
+    fn gather(
+        &self,
+        played: Vec<Result<RuledVariant, Error>>,
+    ) -> (BatchResult, Vec<VariantRuling>) {
         let balls = self.prepared.balls().len();
         let mut all = BatchResult { shots: played.len(), balls, ..BatchResult::default() };
-        let mut verdicts = Verdicts::default();
+        let mut verdicts = Vec::with_capacity(played.len());
         for (k, one) in played.into_iter().enumerate() {
             match one {
-                Ok(RuledVariant { ends, verdicts: one }) => {
+                Ok(RuledVariant { ends, verdict }) => {
                     all.pocket.extend(ends.iter().map(|(pocket, _)| pocket));
                     all.final_position.extend(ends.iter().map(|(_, place)| place));
-                    verdicts.legal += one.legal;
-                    verdicts.turn_kept += one.turn_kept;
+                    verdicts.push(verdict);
                 }
                 Err(error) => {
                     all.pocket.extend(std::iter::repeat_n(PADDING, balls));
                     all.final_position.extend(std::iter::repeat_n([f64::NAN; 3], balls));
                     all.errors.push((k, error));
+                    verdicts.push(VariantRuling::default());
                 }
             }
         }

@@ -104,11 +104,27 @@ impl Sampler {
         errors: &Errors,
         index: u64,
     ) -> Result<(), Error> {
+        self.simulate_on(prepared, prepared.shot(), executed, errors, index)
+    }
+
+    /// As [`Self::simulate_executed`], on the table and with the physics of `shot`, which has the
+    /// balls of `prepared` and its own places of them.
+    ///
+    /// # Errors
+    /// As [`Self::simulate`].
+    pub fn simulate_on(
+        &mut self,
+        prepared: &Prepared<'_>,
+        shot: &Shot,
+        executed: &Strike,
+        errors: &Errors,
+        index: u64,
+    ) -> Result<(), Error> {
         if errors.are_of_the_strike() {
-            return self.simulator.simulate(prepared, executed);
+            return self.simulator.simulate_shot(prepared, shot, executed).map(drop);
         }
-        let variant = self.variant.get_or_insert_with(|| prepared.shot().clone());
-        errors.write_shot(prepared.shot(), index, variant);
+        let variant = self.variant.get_or_insert_with(|| shot.clone());
+        errors.write_shot(shot, index, variant);
         self.simulator.simulate_shot(prepared, variant, executed).map(drop)
     }
 

@@ -7,7 +7,8 @@
 //! 2. **Refinement.** On every route the strikes with the smallest misses are refined until they meet
 //!    the goal, and turned to the middle of the azimuths that meet it.
 //! 3. **Ranking.** The strikes that meet the goal are played many times under noise, all with the same
-//!    errors, and sorted by how often they meet it.
+//!    errors, and sorted by how often they meet it. They are played in turn on the tables of which each
+//!    may be the true one, if there are any ([`DrawnTables`]); search and refinement know the shot's own.
 //!
 //! The result does not depend on the number of threads.
 
@@ -21,7 +22,8 @@ use carom::{Error, ErrorKind, Shot};
 use std::collections::HashMap;
 
 use crate::aim::{Free, Limits, TriedStrike, azimuths, center, refine, straight_azimuths};
-use crate::error_model::{Chance, ErrorModel};
+use crate::drawn_tables::DrawnTables;
+use crate::error_model::{Chance, ChanceByTable, ErrorModel};
 use crate::goal::{Goal, GoalTester};
 use crate::interval::Interval;
 use crate::progress::Progress;
@@ -79,6 +81,8 @@ pub struct Search {
     pub samples: usize,
     /// The errors under which the strikes are ranked, and the precision of the ranking.
     pub model: ErrorModel,
+    /// The tables on which they are ranked.
+    pub tables: DrawnTables,
     /// Largest number of strikes returned.
     pub wanted: usize,
     /// Largest number of them on the same route.
@@ -96,6 +100,7 @@ impl Default for Search {
             reach: Reach::default(),
             samples: 4096,
             model: ErrorModel::default(),
+            tables: DrawnTables::default(),
             wanted: 10,
             per_route: 3,
             threads: None,
@@ -117,6 +122,8 @@ pub struct Solution {
     pub chance: Chance,
     /// Its confidence interval.
     pub interval: Interval,
+    /// The probability on each drawn table; one if there are none.
+    pub by_table: ChanceByTable,
 }
 
 /// The stages of a search, in order: what [`Progress::read`] counts.
@@ -140,8 +147,8 @@ impl Stage {
 /// The strikes that reach `goal`, the most probable first; none if `progress` was stopped.
 ///
 /// # Errors
-/// [`Error::Input`] for what [`Goal::check`] and [`ErrorModel::check`] reject, and for speeds, offsets,
-/// elevations or counts out of range.
+/// [`Error::Input`] for what [`Goal::check`], [`ErrorModel::check`] and [`DrawnTables::check`] reject, and
+/// for speeds, offsets, elevations or counts out of range.
 pub fn solve(
     shot: &Shot,
     goal: &Goal,
@@ -150,6 +157,7 @@ pub fn solve(
 ) -> Result<Vec<Solution>, Error> {
     goal.check(shot)?;
     search.check()?;
+    search.tables.check(shot)?;
     let runner = Runner::new(search.threads)?;
     Ok(Solver { shot, goal, search, runner, progress }.run().unwrap_or_default())
 }
@@ -366,12 +374,13 @@ impl Solver<'_> {
         }
         let mut ranked = self.counted(Stage::Rank, kept, model)?;
         ranked.truncate(self.search.wanted);
-        let solution = |(chance, tried): (Chance, TriedStrike)| Solution {
+        let solution = |(by_table, tried): (ChanceByTable, TriedStrike)| Solution {
             strike: self.intended(&tried.strike),
             cue_ball_end: tried.attempt.cue_ball_end,
             route: tried.attempt.route,
-            chance,
-            interval: chance.interval(model.level),
+            chance: by_table.total(),
+            interval: by_table.interval(model.level),
+            by_table,
         };
         Some(ranked.into_iter().map(solution).collect())
     }
@@ -393,12 +402,13 @@ impl Solver<'_> {
         stage: Stage,
         list: Vec<TriedStrike>,
         model: &ErrorModel,
-    ) -> Option<Vec<(Chance, TriedStrike)>> {
+    ) -> Option<Vec<(ChanceByTable, TriedStrike)>> {
+        let tables = &self.search.tables;
         let mut counted = self.each(stage, list, |tester, tried| {
             let meant = self.intended(&tried.strike);
-            Some((tester.chance(&meant, model, self.progress), tried))
+            Some((tester.chance(&meant, model, tables, self.progress), tried))
         })?;
-        counted.sort_by(|(a, _), (b, _)| b.compare(*a));
+        counted.sort_by(|(a, _), (b, _)| b.total().compare(a.total()));
         Some(counted)
     }
 }

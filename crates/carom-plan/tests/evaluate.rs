@@ -38,20 +38,20 @@ fn counts_are_those_of_the_simulated_variants() {
     let strikes =
         draw_strikes(&shot, &Noise::olympiad(1.0), variants as usize, 7, 0).expect("drawn");
     let ends = simulate_strikes(&shot, &strikes, &Runner::default());
-    assert_eq!(evaluation.variants, variants);
+    assert_eq!(evaluation.counts.variants, variants);
     let mut fell = 0;
     for ball in 0..ends.balls {
         let column = || ends.pocket.iter().skip(ball).step_by(ends.balls);
-        for pocket in 0..evaluation.pockets {
+        for pocket in 0..evaluation.counts.pockets {
             let count = column().filter(|&&p| p == pocket as i8).count() as u64;
-            assert_eq!(evaluation.falls_into(ball, pocket), count);
+            assert_eq!(evaluation.counts.falls_into(ball, pocket), count);
             fell += count;
         }
         let off = column().filter(|&&p| p == OFF_TABLE).count() as u64;
-        assert_eq!(evaluation.off_table[ball], off);
+        assert_eq!(evaluation.counts.off_table[ball], off);
     }
     assert!(fell > 0, "a cut that is never potted tests nothing");
-    assert_eq!(evaluation.failed, ends.errors.len() as u64);
+    assert_eq!(evaluation.counts.failed, ends.errors.len() as u64);
     let cue = evaluation.cue_ball;
     for (end, places) in evaluation.cue_ball_ends.iter().zip(ends.final_position.chunks(ends.balls))
     {
@@ -65,7 +65,7 @@ fn evaluations_are_the_same_for_any_number_of_threads() {
     let alone = answer(&shot, &Question { threads: Some(1), ..question(1500) });
     for threads in [Some(3), None] {
         let together = answer(&shot, &Question { threads, ..question(1500) });
-        assert_eq!(alone.potted, together.potted);
+        assert_eq!(alone.counts.potted, together.counts.potted);
         assert_eq!(alone.ends[0].mean(), together.ends[0].mean());
         let bits = |e: &Evaluation| {
             e.cue_ball_ends.iter().flatten().map(|x| x.to_bits()).collect::<Vec<_>>()
@@ -81,12 +81,12 @@ fn sampling_stops_when_the_interval_is_short_enough() {
     let model = ErrorModel { half_width: Some(0.015), ..model(100_000) };
     let watched = Watched::Ball(object);
     let evaluation = answer(&shot, &Question { model, watched, ..Question::default() });
-    let interval = evaluation.interval(evaluation.falls(object));
+    let interval = evaluation.interval(|counts| counts.falls(object));
     assert!(interval.half_width() <= 0.015);
-    assert!(evaluation.variants < 100_000);
+    assert!(evaluation.counts.variants < 100_000);
     // After one round less the interval was too long.
-    let before = answer(&shot, &question(evaluation.variants - VARIANTS_PER_ROUND));
-    assert!(before.interval(before.falls(object)).half_width() > 0.015);
+    let before = answer(&shot, &question(evaluation.counts.variants - VARIANTS_PER_ROUND));
+    assert!(before.interval(|counts| counts.falls(object)).half_width() > 0.015);
 }
 
 #[test]
@@ -96,7 +96,7 @@ fn without_noise_every_variant_is_the_shot_itself() {
         answer(&shot, &question_of(ErrorModel { noise: Noise::default(), ..model(10) }));
     let trace = shot.simulate().expect("a trace");
     let fell = trace.outcome().pocketed.len() as u64;
-    assert_eq!(evaluation.potted.iter().sum::<u64>(), 10 * fell);
+    assert_eq!(evaluation.counts.potted.iter().sum::<u64>(), 10 * fell);
 }
 
 #[test]
@@ -105,7 +105,7 @@ fn every_variant_of_a_strike_at_the_limit_of_the_tip_is_played() {
     let strike = Strike { side: 0.51, height: 0.0, ..shot.strike().expect("a strike").1 };
     let shot = shot.with_strike(&strike).expect("a shot at the limit of the tip");
     let evaluation = answer(&shot, &question(400));
-    assert_eq!((evaluation.failed, evaluation.first_failure), (0, None));
+    assert_eq!((evaluation.counts.failed, evaluation.first_failure), (0, None));
 }
 
 #[test]
@@ -122,7 +122,7 @@ fn strikes_that_cannot_be_played_are_counted() {
     assert!(least > 0.1, "a lower cue may be raised by the player: {least} rad");
     let edge = behind.with_strike(&Strike { elevation: least, ..meant }).expect("a clear cue");
     let evaluation = answer(&edge, &question(400));
-    assert!((50..350).contains(&evaluation.failed), "{}", evaluation.failed);
+    assert!((50..350).contains(&evaluation.counts.failed), "{}", evaluation.counts.failed);
     let failure = evaluation.first_failure.expect("an error").to_string();
     assert!(failure.contains("the cue would pass through"), "{failure}");
 }
@@ -143,7 +143,7 @@ fn a_referee_counts_legal_variants_and_kept_turns() {
     let referee = Some(Referee { frame: &frame, call: Call::Nothing });
     let evaluation = answer(&shot, &Question { referee, ..question(200) });
     let (legal, kept) =
-        (evaluation.legal.expect("a count"), evaluation.turn_kept.expect("a count"));
+        (evaluation.counts.legal.expect("a count"), evaluation.counts.turn_kept.expect("a count"));
     assert!(legal > 100, "a hard break is mostly legal, {legal}");
     assert!(kept <= legal && kept > 0);
 
@@ -164,11 +164,17 @@ fn a_referee_does_not_change_the_counts() {
         let alone = answer(&shot, &asked);
         let referee = Some(Referee { frame: &frame, call: Call::Nothing });
         let ruled = answer(&shot, &Question { referee, ..asked.clone() });
-        assert_eq!(alone.potted, ruled.potted);
-        assert_eq!(alone.off_table, ruled.off_table);
+        assert_eq!(alone.counts.potted, ruled.counts.potted);
+        assert_eq!(alone.counts.off_table, ruled.counts.off_table);
         assert_eq!(alone.ends, ruled.ends);
-        assert_eq!((alone.failed, &alone.first_failure), (ruled.failed, &ruled.first_failure));
-        assert!(ruled.potted.iter().sum::<u64>() > 0, "breaks that pot nothing test nothing");
+        assert_eq!(
+            (alone.counts.failed, &alone.first_failure),
+            (ruled.counts.failed, &ruled.first_failure)
+        );
+        assert!(
+            ruled.counts.potted.iter().sum::<u64>() > 0,
+            "breaks that pot nothing test nothing"
+        );
     }
 }
 
@@ -179,7 +185,7 @@ fn poor_perception_pots_less_even_with_exact_strikes() {
     let fell = [0.0, 0.001, 0.004].map(|position| {
         let perception = Perception::round(position);
         let exact = ErrorModel { noise: Noise::default(), perception, ..model(variants) };
-        answer(&shot, &question_of(exact)).falls(object)
+        answer(&shot, &question_of(exact)).counts.falls(object)
     });
     assert_eq!(fell[0], variants, "without any error it always falls");
     assert!(fell[0] > fell[1] && fell[1] > fell[2], "{fell:?}");
@@ -209,11 +215,11 @@ fn every_variant_plays_its_strike_on_the_layout_of_the_same_index() {
     }
     assert!(fell.iter().sum::<u64>() > 0, "a combination that is never potted tests nothing");
     for (ball, count) in fell.into_iter().enumerate() {
-        assert_eq!(evaluation.falls(ball), count);
+        assert_eq!(evaluation.counts.falls(ball), count);
     }
     for threads in [1, 3] {
         let again = answer(&shot, &Question { threads: Some(threads), ..asked.clone() });
-        assert_eq!(again.potted, evaluation.potted);
+        assert_eq!(again.counts.potted, evaluation.counts.potted);
         assert_eq!(again.ends, evaluation.ends);
     }
 }

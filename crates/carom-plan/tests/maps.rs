@@ -3,10 +3,11 @@
 use carom::rack::{Break, Game, break_shot};
 use carom::{Noise, Shot};
 use carom_plan::breaks::{BreakStatistics, breaks};
-use carom_plan::maps::{Accepted, Approaches, acceptance, position_map, pot_map};
-use carom_plan::{ErrorModel, Progress};
+use carom_plan::maps::{Accepted, Approaches, PotTarget, acceptance, position_map, pot_map};
+use carom_plan::{DrawnTables, ErrorModel, Progress};
 
 const TOP_RIGHT: usize = 5;
+const TARGET: PotTarget = PotTarget { ball: 1, pocket: TOP_RIGHT };
 
 fn cut() -> Shot {
     let text = r#"{"format": "carom-shot/1", "table": "wpa-9ft",
@@ -15,11 +16,15 @@ fn cut() -> Shot {
     Shot::from_json(text).expect("a shot")
 }
 
+fn none() -> DrawnTables {
+    DrawnTables::default()
+}
+
 #[test]
 fn a_pot_is_likely_from_behind_the_ball_and_impossible_from_its_far_side() {
     let model = ErrorModel { seed: 1, variants: 60, ..ErrorModel::default() };
-    let map =
-        pot_map(&cut(), 1, TOP_RIGHT, [6, 12], &model, None, &Progress::default()).expect("a map");
+    let map = pot_map(&cut(), TARGET, [6, 12], &model, &none(), None, &Progress::default())
+        .expect("a map");
     let at = |x: f64, y: f64| {
         let (column, row) = ((x / 1.27 * 6.0) as usize, (y / 2.54 * 12.0) as usize);
         map.chance[row * 6 + column].share()
@@ -33,8 +38,8 @@ fn a_pot_is_likely_from_behind_the_ball_and_impossible_from_its_far_side() {
 #[test]
 fn nearly_certain_cells_need_fewer_variants() {
     let model = ErrorModel { variants: 4000, half_width: Some(0.04), ..ErrorModel::default() };
-    let map =
-        pot_map(&cut(), 1, TOP_RIGHT, [3, 6], &model, None, &Progress::default()).expect("a map");
+    let map = pot_map(&cut(), TARGET, [3, 6], &model, &none(), None, &Progress::default())
+        .expect("a map");
     let mut spent = Vec::new();
     for chance in map.chance.iter().filter(|c| c.variants > 0) {
         assert!(chance.interval(0.95).half_width() <= 0.04, "{chance:?}");
@@ -211,6 +216,6 @@ fn a_stopped_map_leaves_the_rest_empty() {
     let progress = Progress::default();
     progress.stop();
     let model = ErrorModel::default();
-    let map = pot_map(&cut(), 1, TOP_RIGHT, [3, 6], &model, None, &progress).expect("a map");
+    let map = pot_map(&cut(), TARGET, [3, 6], &model, &none(), None, &progress).expect("a map");
     assert!(map.chance.iter().all(|c| c.variants == 0) && map.chance.len() == 18);
 }

@@ -2,10 +2,10 @@
 
 use carom::rack::{Break, Game};
 use carom::table::Rail;
-use carom_plan::Chance;
 use carom_plan::breaks;
 use carom_plan::cushions::{self, CushionContact, Kicks};
-use carom_plan::maps::{self, Accepted, Approaches};
+use carom_plan::maps::{self, Accepted, Approaches, PotTarget};
+use carom_plan::{Chance, Interval};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -13,6 +13,7 @@ use pyo3::types::PyDict;
 use crate::batch::{Arrays, arrays};
 use crate::error::to_exception;
 use crate::options::{SamplingOptions, count};
+use crate::plan::drawn;
 use crate::progress;
 use crate::shot::Shot;
 
@@ -27,32 +28,38 @@ type Pots<'py> = (
 
 /// The probability of a pot from each cell.
 #[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the question, threads and progress")]
 pub(crate) fn pot_map<'py>(
     py: Python<'py>,
     shot: &Shot,
     target: (usize, usize),
     cells: [usize; 2],
     sampling: SamplingOptions,
+    tables: Vec<PyRef<'py, Shot>>,
     threads: usize,
     report: Py<PyAny>,
 ) -> PyResult<Pots<'py>> {
     let shot = shot.0.clone();
-    let model = sampling.model();
+    let (model, tables) = (sampling.model(), drawn(py, &tables)?);
+    let target = PotTarget { ball: target.0, pocket: target.1 };
     let map = progress::run(py, &report, |progress| {
-        maps::pot_map(&shot, target.0, target.1, cells, &model, count(threads), progress)
+        maps::pot_map(&shot, target, cells, &model, &tables, count(threads), progress)
     })?;
     let shape = [cells[1], cells[0]];
     let grid = |values| PyArray1::from_vec(py, values).reshape(shape);
     // Without variants the interval would be [0, 1]; NaN marks that there is none.
-    let of = |value: &dyn Fn(&Chance) -> f64| {
-        let known = |c: &Chance| if c.variants == 0 { f64::NAN } else { value(c) };
-        grid(map.chance.iter().map(known).collect())
+    let of = |value: &dyn Fn(&Chance, &Interval) -> f64| {
+        let known = |(c, interval): (&Chance, _)| match c.variants {
+            0 => f64::NAN,
+            _ => value(c, interval),
+        };
+        grid(map.chance.iter().zip(&map.interval).map(known).collect())
     };
     let variants = map.chance.iter().map(|c| c.variants as i64).collect();
     Ok((
-        of(&|c| c.share())?,
-        of(&|c| c.interval(model.level).low)?,
-        of(&|c| c.interval(model.level).high)?,
+        of(&|c, _| c.share())?,
+        of(&|_, interval| interval.low)?,
+        of(&|_, interval| interval.high)?,
         PyArray1::from_vec(py, variants).reshape(shape)?,
         grid(map.azimuth)?,
     ))

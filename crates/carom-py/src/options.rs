@@ -144,6 +144,7 @@ impl SearchOptions {
             wanted: self.wanted,
             per_route: self.per_route,
             threads: count(threads),
+            ..Search::default()
         }
     }
 }

@@ -1,7 +1,10 @@
-//! `_core.evaluate`, `_core.solve`, and `_core.wilson`.
+//! `_core.evaluate`, `_core.solve`, `_core.wilson` and `_core.clustered`.
 
 use carom::resolve::cue_ball::Strike;
-use carom_plan::{Evaluation, Moments, Question, Referee, Stage, Watched};
+use carom_plan::{
+    ChanceByTable, DrawnTables, Evaluation, Moments, Question, Referee, ResultCounts, Stage,
+    Watched,
+};
 use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -17,15 +20,26 @@ type WatchArguments = (String, Option<String>);
 /// Kind, ball, pocket.
 type CallArguments = (String, Option<String>, Option<String>);
 
+/// The shots on drawn tables from Python, where none stand for the shot's own table.
+pub(crate) fn drawn(py: Python<'_>, tables: &[PyRef<'_, Shot>]) -> PyResult<DrawnTables> {
+    if tables.is_empty() {
+        return Ok(DrawnTables::default());
+    }
+    let shots = tables.iter().map(|shot| carom::Shot::clone(&shot.0)).collect();
+    DrawnTables::new(shots).map_err(|error| to_exception(py, &error))
+}
+
 /// The results of a shot's variants, as plain values and arrays. `watch` None watches everything;
 /// `report` is called with stage, done, total.
 #[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the question, threads and progress")]
 pub(crate) fn evaluate<'py>(
     py: Python<'py>,
     shot: &Shot,
     sampling: SamplingOptions,
     watch: Option<WatchArguments>,
     referee: Option<(PyRef<'py, Frame>, CallArguments)>,
+    tables: Vec<PyRef<'py, Shot>>,
     threads: usize,
     report: Py<PyAny>,
 ) -> PyResult<Bound<'py, PyDict>> {
@@ -45,6 +59,7 @@ pub(crate) fn evaluate<'py>(
         .map_err(raise)?;
     let question = Question {
         model: sampling.model(),
+        tables: drawn(py, &tables)?,
         watched: watched.unwrap_or_default(),
         referee: referee.as_ref().map(|(frame, call)| Referee { frame, call: *call }),
         threads: count(threads),
@@ -55,8 +70,7 @@ pub(crate) fn evaluate<'py>(
 }
 
 fn to_dict(py: Python<'_>, evaluation: Evaluation) -> PyResult<Bound<'_, PyDict>> {
-    let balls = evaluation.off_table.len();
-    let signed = |counts: &[u64]| counts.iter().map(|&c| c as i64).collect::<Vec<i64>>();
+    let balls = evaluation.ends.len();
     let vectors: Vec<f64> = evaluation.ends.iter().flat_map(|m| m.mean()).collect();
     let matrices: Vec<f64> = evaluation
         .ends
@@ -65,17 +79,13 @@ fn to_dict(py: Python<'_>, evaluation: Evaluation) -> PyResult<Bound<'_, PyDict>
         .flat_map(|[xx, xy, yy]| [xx, xy, xy, yy])
         .collect();
     let rested: Vec<u64> = evaluation.ends.iter().map(Moments::count).collect();
-    let potted = signed(&evaluation.potted);
     let dict = PyDict::new(py);
-    dict.set_item("n", evaluation.variants)?;
-    dict.set_item("failed", evaluation.failed)?;
     let failure = evaluation.first_failure.as_ref().map(ToString::to_string);
     dict.set_item("first_failure", failure)?;
     dict.set_item("cue_ball", evaluation.cue_ball)?;
-    dict.set_item("legal_count", evaluation.legal)?;
-    dict.set_item("turn_kept_count", evaluation.turn_kept)?;
-    dict.set_item("potted", PyArray1::from_vec(py, potted).reshape([balls, evaluation.pockets])?)?;
-    dict.set_item("off_table", PyArray1::from_vec(py, signed(&evaluation.off_table)))?;
+    dict.set_item("counts", counts_dict(py, &evaluation.counts)?)?;
+    let by_table = evaluation.by_table.iter().map(|counts| counts_dict(py, counts));
+    dict.set_item("by_table", by_table.collect::<PyResult<Vec<_>>>()?)?;
     dict.set_item("at_rest", PyArray1::from_vec(py, signed(&rested)))?;
     dict.set_item("end_mean", PyArray1::from_vec(py, vectors).reshape([balls, 2])?)?;
     let covariance = PyArray1::from_vec(py, matrices).reshape([balls, 2, 2])?;
@@ -85,6 +95,22 @@ fn to_dict(py: Python<'_>, evaluation: Evaluation) -> PyResult<Bound<'_, PyDict>
         PyArray1::from_vec(py, evaluation.cue_ball_ends.into_flattened()).reshape([variants, 2])?;
     dict.set_item("cue_ball_ends", ends)?;
     Ok(dict)
+}
+
+fn counts_dict<'py>(py: Python<'py>, counts: &ResultCounts) -> PyResult<Bound<'py, PyDict>> {
+    let (balls, potted) = (counts.off_table.len(), signed(&counts.potted));
+    let dict = PyDict::new(py);
+    dict.set_item("n", counts.variants)?;
+    dict.set_item("failed", counts.failed)?;
+    dict.set_item("legal", counts.legal)?;
+    dict.set_item("turn_kept", counts.turn_kept)?;
+    dict.set_item("potted", PyArray1::from_vec(py, potted).reshape([balls, counts.pockets])?)?;
+    dict.set_item("off_table", PyArray1::from_vec(py, signed(&counts.off_table)))?;
+    Ok(dict)
+}
+
+fn signed(counts: &[u64]) -> Vec<i64> {
+    counts.iter().map(|&count| count as i64).collect()
 }
 
 /// A solution; a dict in Python. `strike`: speed, azimuth, elevation, side, height.
@@ -98,22 +124,27 @@ pub(crate) struct SolutionFields {
     variants: u64,
     low: f64,
     high: f64,
+    /// Goals met and variants on each drawn table; empty if there are none.
+    by_table: Vec<(u64, u64)>,
 }
 
 /// The strikes that reach a goal, the most probable first. `report` is called with the index into
 /// `stages()`, done, total.
 #[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the question, threads and progress")]
 pub(crate) fn solve(
     py: Python<'_>,
     shot: &Shot,
     goal: GoalOptions,
     search: SearchOptions,
     sampling: SamplingOptions,
+    tables: Vec<PyRef<'_, Shot>>,
     threads: usize,
     report: Py<PyAny>,
 ) -> PyResult<Vec<SolutionFields>> {
     let shot = shot.0.clone();
-    let (goal, search) = (goal.goal(), search.search(&sampling, threads));
+    let (goal, mut search) = (goal.goal(), search.search(&sampling, threads));
+    search.tables = drawn(py, &tables)?;
     let solutions =
         progress::run(py, &report, |progress| carom_plan::solve(&shot, &goal, &search, progress))?;
     let fields = |s: carom_plan::Solution| {
@@ -127,9 +158,16 @@ pub(crate) fn solve(
             variants: s.chance.variants,
             low: s.interval.low,
             high: s.interval.high,
+            by_table: pairs(&s.by_table),
         }
     };
     Ok(solutions.into_iter().map(fields).collect())
+}
+
+/// Goals met and variants on each drawn table; empty for one table.
+fn pairs(by_table: &ChanceByTable) -> Vec<(u64, u64)> {
+    let tables = by_table.0.iter().map(|chance| (chance.met, chance.variants));
+    if by_table.0.len() > 1 { tables.collect() } else { Vec::new() }
 }
 
 /// The names of a search's stages, in order.
@@ -149,5 +187,17 @@ pub(crate) fn stages() -> Vec<&'static str> {
 pub(crate) fn wilson(py: Python<'_>, hits: u64, trials: u64, level: f64) -> PyResult<(f64, f64)> {
     carom_plan::check_level(level).map_err(|e| to_exception(py, &e))?;
     let interval = carom_plan::wilson(hits, trials, level);
+    Ok((interval.low, interval.high))
+}
+
+/// The interval of a probability that was counted on several drawn tables.
+#[pyfunction]
+pub(crate) fn clustered(
+    py: Python<'_>,
+    tables: Vec<(u64, u64)>,
+    level: f64,
+) -> PyResult<(f64, f64)> {
+    carom_plan::check_level(level).map_err(|e| to_exception(py, &e))?;
+    let interval = carom_plan::clustered(&tables, level);
     Ok((interval.low, interval.high))
 }

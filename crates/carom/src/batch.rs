@@ -89,14 +89,33 @@ pub fn simulate_variants(
     first: u64,
     runner: &Runner,
 ) -> Result<BatchResult, Error> {
+    simulate_variants_in_turn(core::slice::from_ref(shot), strikes, errors, first, runner)
+}
+
+/// As [`simulate_variants`], on several `shots` with the same balls and the same struck ball, such as
+/// one shot on several tables: variant number v is played on the shot with index v modulo their count.
+///
+/// # Errors
+/// As [`simulate_variants`], also without shots.
+pub fn simulate_variants_in_turn(
+    shots: &[Shot],
+    strikes: &[Strike],
+    errors: &Errors,
+    first: u64,
+    runner: &Runner,
+) -> Result<BatchResult, Error> {
     errors.check()?;
-    let (struck, _) = own_strike(shot)?;
-    if errors.are_of_the_strike() {
-        return Ok(simulate_strikes(shot, strikes, runner));
-    }
-    Ok(run(strikes.len(), shot.balls.len(), runner, |k| {
+    let some = shots.first().ok_or_else(no_strike)?;
+    let (struck, _) = own_strike(some)?;
+    Ok(run(strikes.len(), some.balls.len(), runner, |k| {
+        let number = first.wrapping_add(k as u64);
+        let shot = &shots[(number % shots.len() as u64) as usize];
         let strike = Some((struck, strikes[k]));
-        let variant = errors.shot(shot, strike, first.wrapping_add(k as u64))?;
+        if errors.are_of_the_strike() {
+            shot.resolve_strike(&strikes[k])?;
+            return Ok((Cow::Borrowed(shot), strike));
+        }
+        let variant = errors.shot(shot, strike, number)?;
         if errors.perception.is_exact() {
             variant.resolve_strike(&strikes[k])?;
         }
@@ -152,9 +171,11 @@ pub fn draw_variant(
 
 /// The struck ball's index and the strike of `shot`.
 fn own_strike(shot: &Shot) -> Result<(usize, Strike), Error> {
-    shot.strike.ok_or_else(|| {
-        ErrorKind::NoStrike.at("strike", "the shot has no strike to vary", "give it one")
-    })
+    shot.strike.ok_or_else(no_strike)
+}
+
+fn no_strike() -> Error {
+    ErrorKind::NoStrike.at("strike", "the shot has no strike to vary", "give it one")
 }
 
 /// A shot of a batch, and the strike that is played in it: the struck ball's index, and the strike.

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from carom.picture import output as picture_output
+    from carom.plan import TablePosterior
 else:
     # Matplotlib takes half a second to load.
     picture_output = LazyModule("carom.picture.output")
@@ -61,6 +62,18 @@ Precise = Annotated[
         help="Stop counting a chance when half the width of its interval, 0 to 1, is at most this.",
     ),
 ]
+LearnedTable = Annotated[
+    Path | None,
+    typer.Option(
+        "--learned",
+        metavar="FILE",
+        help="What carom learn table found. The shot is planned on the learned table in place of "
+        "its own, and its chances are counted on tables that may be the true one.",
+    ),
+]
+Draws = Annotated[
+    int, typer.Option("--draws", min=2, max=1000, help="Number of these tables, with --learned.")
+]
 Level = Annotated[float, typer.Option(help="Confidence level of the intervals.")]
 Seed = Annotated[int, typer.Option(help="Seed of the random numbers.")]
 Svg = Annotated[Path | None, typer.Option("--svg", metavar="OUT", help="Write a picture (SVG).")]
@@ -98,6 +111,24 @@ def noise_of(name: str, cling: float) -> Noise:
     """The noise of this name; a probability of a cling above 0 replaces its own."""
     noise = named_noise(name)
     return replace(noise, cling_probability=cling) if cling else noise
+
+
+def learned_of(path: Path | None) -> TablePosterior | None:
+    """What was learned about a table, from the file that ``carom learn table`` wrote.
+
+    Raises:
+        OSError: The file cannot be read.
+        InputError: It is not such a file.
+    """
+    if path is None:
+        return None
+    # The learning of tables takes a while to load.
+    from carom.learn import Posterior
+
+    try:
+        return Posterior.load(path)
+    except InputError as error:
+        raise error.inside(shown(path), ": ") from None
 
 
 def title_of(file: str) -> str:

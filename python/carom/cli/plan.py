@@ -17,8 +17,10 @@ from carom.build import like
 from carom.cli import renamed
 from carom.cli.options import (
     Cling,
+    Draws,
     File,
     Json,
+    LearnedTable,
     Level,
     NoiseName,
     Png,
@@ -27,6 +29,7 @@ from carom.cli.options import (
     Sight,
     Svg,
     draw,
+    learned_of,
     noise_of,
     title_of,
 )
@@ -35,6 +38,7 @@ from carom.cli.values import numbers
 from carom.errors import InputError
 from carom.lazy import LazyModule
 from carom.plan.chance import or_null
+from carom.plan.drawn_tables import on_learned_table
 
 if TYPE_CHECKING:
     import numpy as np
@@ -85,6 +89,8 @@ def evaluate(
             help="The call in the game: BALL:POCKET, the nominated ball of snooker, or safety.",
         ),
     ] = None,
+    learned: LearnedTable = None,
+    draws: Draws = 32,
     level: Level = 0.95,
     json: Json = False,
     svg: Svg = None,
@@ -98,6 +104,9 @@ def evaluate(
         raise InputError("missing", "--call", "a call needs a game", "give --game too")
     shot = read_shot(file)
     announced = None if call is None else _call(call)
+    posterior = learned_of(learned)
+    if posterior is not None:
+        shot = on_learned_table(shot, posterior)
     shot, frame = (shot, None) if game is None else _in_game(shot, game, announced)
     answer = shot.evaluate(
         noise_of(noise, cling),
@@ -108,6 +117,8 @@ def evaluate(
         watch=None if watch is None else _ball_and_pocket(watch),
         frame=frame,
         call=announced,
+        posterior=posterior,
+        draws=draws,
         level=level,
         progress=sys.stderr.isatty(),
     )
@@ -171,6 +182,8 @@ def solve(
     samples: Annotated[
         int, typer.Option(min=1, help="Strikes tried in addition to those that geometry proposes.")
     ] = 4096,
+    learned: LearnedTable = None,
+    draws: Draws = 32,
     seed: Seed = 0,
     level: Level = 0.95,
     best: Annotated[
@@ -200,6 +213,8 @@ def solve(
         azimuth=None if azimuth_deg is None else _azimuth(azimuth_deg),
         butt=None if butt is None else _corners(butt),
         samples=samples,
+        posterior=learned_of(learned),
+        draws=draws,
         seed=seed,
         level=level,
         progress=sys.stderr.isatty(),
@@ -256,6 +271,8 @@ def map_pot(
         int, typer.Option("-n", min=1, help="Largest number of variants of each cell.")
     ] = 200,
     precision: Precise = None,
+    learned: LearnedTable = None,
+    draws: Draws = 32,
     seed: Seed = 0,
     level: Level = 0.95,
     json: Json = False,
@@ -272,6 +289,8 @@ def map_pot(
         columns=columns,
         n=n,
         precision=precision,
+        posterior=learned_of(learned),
+        draws=draws,
         seed=seed,
         level=level,
         progress=sys.stderr.isatty(),

@@ -11,12 +11,15 @@ from carom import Frame, Noise, Perception, Player, Shot, _core
 from carom.cli.options import (
     NOISES,
     Cling,
+    Draws,
     Json,
+    LearnedTable,
     Png,
     Seed,
     Sight,
     Svg,
     draw,
+    learned_of,
     named_noise,
     noise_of,
     title_of,
@@ -24,11 +27,13 @@ from carom.cli.options import (
 from carom.cli.output import emit_answer, file_name, read
 from carom.errors import InputError
 from carom.lazy import LazyModule
+from carom.plan.drawn_tables import on_learned_table
 
 if TYPE_CHECKING:
     from pathlib import Path
 
     from carom.picture import plays as plays_picture
+    from carom.plan import TablePosterior
 else:
     # Matplotlib takes half a second to load.
     plays_picture = LazyModule("carom.picture.plays")
@@ -85,6 +90,8 @@ def think(
         typer.Option(metavar="N", help="Largest number of rounds; repeats a search with --time."),
     ] = None,
     plays: Annotated[int, typer.Option(min=1, help="Largest number of plays printed.")] = 5,
+    learned: LearnedTable = None,
+    draws: Draws = 32,
     seed: Seed = 0,
     threads: Annotated[
         int | None, typer.Option(min=1, help="Number of threads; default: one per core.")
@@ -98,7 +105,8 @@ def think(
     If the frame requests a choice, print the best choice. Ctrl-C ends the search after its present
     round; the result so far is printed.
     """
-    frame = _frame(read(file), file_name(file), game)
+    posterior = learned_of(learned)
+    frame = _frame(read(file), file_name(file), game, posterior)
     thinker = Player(
         player,
         noise=None if noise is None else named_noise(noise),
@@ -116,7 +124,9 @@ def think(
         decision = thinker.choose(frame, noise=own, opponent_noise=opponent)
         emit_answer(decision, json=json)
         return
-    analysis = thinker.explain(frame, plays, noise=own, opponent_noise=opponent)
+    analysis = thinker.explain(
+        frame, plays, noise=own, opponent_noise=opponent, posterior=posterior, draws=draws
+    )
     title = frame.game if file == "-" else title_of(file)
     # The answer first: it is not lost if the picture cannot be written.
     emit_answer(analysis, json=json)
@@ -130,8 +140,11 @@ def _opponent(name: str, cling: float) -> Noise:
         raise error.inside("--opponent-noise", ": ") from None
 
 
-def _frame(text: str, name: str, game: str | None) -> Frame:
-    """The frame of a record, or the frame of the game that begins with the balls of a shot file."""
+def _frame(text: str, name: str, game: str | None, posterior: TablePosterior | None) -> Frame:
+    """The frame of a record, or the frame of the game that begins with the balls of a shot file.
+
+    The latter is on the learned table, if there is one.
+    """
     file = _core.read_json(text, name)
     kind = str(file.get("format", "carom-shot")) if isinstance(file, dict) else "carom-shot"
     if kind.startswith("carom-frame"):
@@ -152,7 +165,7 @@ def _frame(text: str, name: str, game: str | None) -> Frame:
         raise InputError(
             "missing", "--game", "a shot file has no game", "give one, such as --game eight-ball"
         )
-    return Frame.of_shot(game, shot)
+    return Frame.of_shot(game, shot if posterior is None else on_learned_table(shot, posterior))
 
 
 def _refuse_picture(svg: Path | None, png: Path | None) -> None:

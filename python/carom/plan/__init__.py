@@ -8,7 +8,8 @@ Every question about a shot is a function whose first argument is the shot, and 
 from carom.plan.breaks import BreakStatistics, break_statistics
 from carom.plan.chance import Chance
 from carom.plan.cushions import CushionTable, bank_table, kick_table
-from carom.plan.evaluate import Evaluation, evaluate
+from carom.plan.drawn_tables import PossibleTable, TablePosterior
+from carom.plan.evaluate import Evaluation, ResultCounts, evaluate
 from carom.plan.maps import Acceptance, PositionMap, PotMap, acceptance, position_map, pot_map
 from carom.plan.options import Sampling, Search
 from carom.plan.solve import Solution, solve
@@ -20,10 +21,13 @@ __all__ = [
     "CushionTable",
     "Evaluation",
     "PositionMap",
+    "PossibleTable",
     "PotMap",
+    "ResultCounts",
     "Sampling",
     "Search",
     "Solution",
+    "TablePosterior",
     "acceptance",
     "bank_table",
     "break_statistics",

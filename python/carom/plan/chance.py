@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
+from statistics import variance
 from typing import Any
 
 from carom import _core
@@ -17,14 +19,17 @@ class Chance:
     Attributes:
         count: Number of trials in which it happened.
         trials: Number of trials.
-        low: Lower end of the Wilson interval.
-        high: Upper end of the Wilson interval.
+        low: Lower end of the Wilson interval. With drawn tables it is that of the probability over
+            all tables that may be the true one (docs/evaluate.md).
+        high: Upper end.
+        by_table: Count and trials on each drawn table; empty without drawn tables.
     """
 
     count: int
     trials: int
     low: float
     high: float
+    by_table: tuple[tuple[int, int], ...] = ()
 
     @property
     def probability(self) -> float:
@@ -36,11 +41,30 @@ class Chance:
         """Half the width of the interval."""
         return (self.high - self.low) / 2
 
+    @property
+    def shares(self) -> tuple[float, ...]:
+        """The probability on each drawn table; NaN for one without trials."""
+        return tuple(count / n if n else math.nan for count, n in self.by_table)
+
+    @property
+    def spread(self) -> float:
+        """Standard deviation of the probability from one possible table to another.
+
+        The variance of counting is taken off. NaN for fewer than two tables, or fewer than two
+        trials on each.
+        """
+        counted = [(count / n, n) for count, n in self.by_table if n > 1]
+        if len(counted) < 2:
+            return math.nan
+        counting = sum(share * (1 - share) / (n - 1) for share, n in counted) / len(counted)
+        return math.sqrt(max(variance(share for share, _ in counted) - counting, 0.0))
+
     def __float__(self) -> float:
         return self.probability
 
     def __str__(self) -> str:
-        return f"{100 * self.probability:.1f} % ({100 * self.low:.1f} to {100 * self.high:.1f})"
+        text = f"{100 * self.probability:.1f} % ({100 * self.low:.1f} to {100 * self.high:.1f})"
+        return text if math.isnan(self.spread) else f"{text}, tables ± {100 * self.spread:.1f}"
 
     @classmethod
     def of(cls, count: int, trials: int, level: float) -> Chance:
@@ -58,12 +82,30 @@ class Chance:
         count = whole("count", count, trials + 1)
         return cls(count, trials, *_core.wilson(count, trials, number("level", level)))
 
+    @classmethod
+    def over_tables(cls, by_table: Iterable[tuple[int, int]], level: float) -> Chance:
+        """The chance of a result on drawn tables.
+
+        Args:
+            by_table: In how many trials it occurred, and the number of trials, for each table.
+            level: Confidence level of the interval, in (0, 1).
+
+        Raises:
+            InputError: The level is out of range.
+        """
+        tables = tuple(by_table)
+        low, high = _core.clustered(tables, number("level", level))
+        return cls(sum(c for c, _ in tables), sum(n for _, n in tables), low, high, tables)
+
+    def to_dict(self) -> dict[str, float]:
+        """Plain values, for JSON; ``spread`` with drawn tables."""
+        values = {"probability": self.probability, "low": self.low, "high": self.high}
+        return values if math.isnan(self.spread) else values | {"spread": self.spread}
+
 
 def chances_to_dict(chances: dict[str, Chance]) -> dict[str, dict[str, float]]:
     """Chances as plain values, for JSON."""
-    return {
-        what: {"probability": float(c), "low": c.low, "high": c.high} for what, c in chances.items()
-    }
+    return {what: chance.to_dict() for what, chance in chances.items()}
 
 
 def or_null(value: Any) -> Any:

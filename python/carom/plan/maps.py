@@ -11,6 +11,7 @@ from carom.arguments import flat, number, thread_count, whole
 from carom.errors import InputError
 from carom.lazy import np
 from carom.noise import Noise, Perception
+from carom.plan.drawn_tables import on_drawn_tables
 from carom.plan.lookup import ball_index, core_of, pocket_index
 from carom.plan.options import Sampling
 from carom.progress import stage_bars
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
     import carom
+    from carom.plan.drawn_tables import TablePosterior
 
 # Most cells along the width. The cells of a 9-foot table are then 0.6 mm wide; smaller ones show
 # nothing more and would take hours.
@@ -156,6 +158,8 @@ def pot_map(
     columns: int = 32,
     n: int = 200,
     precision: float | None = None,
+    posterior: TablePosterior | None = None,
+    draws: int = 32,
     seed: int = 0,
     level: float = 0.95,
     threads: int | None = None,
@@ -178,17 +182,23 @@ def pot_map(
         n: Largest number of variants of each cell, with the same errors in all cells.
         precision: Stop counting in a cell when half the width of its interval is at most this;
             checked after every 128 variants. None plays all ``n``.
+        posterior: What is known about the table, as in ``Shot.evaluate``. The aim is
+            refined on the learned table in place of the shot's; the variants are played on the
+            drawn tables. A place without room on one of them has no chance.
+        draws: Number of tables that may be the true one, from 2 to 1000.
         seed: Seed of the random numbers.
         level: Confidence level of the intervals, in (0, 1).
         threads: Number of threads; None is one per core. The result does not depend on it.
         progress: Show a progress bar on stderr.
 
     Raises:
-        InputError: There is no such ball or pocket, no strike, or a number is out of range.
+        InputError: There is no such ball or pocket, no strike, a number is out of range, or balls
+            other than the cue ball have no room on a drawn table.
     """
     where = (ball_index(shot, ball), pocket_index(shot, pocket))
     columns = whole("columns", columns, _MOST_COLUMNS + 1, low=1)
     sampling = Sampling(noise, perception, seed, whole("n", n, low=1), precision, level)
+    shot, tables = on_drawn_tables(shot, posterior, draws, sampling.n, sampling.seed)
     width, length = core_of(shot).geometry()["size"]
     if width is None or length is None:
         raise InputError(
@@ -197,7 +207,7 @@ def pot_map(
     rows = max(1, round(columns * length / width))
     with stage_bars(["cells"], show=progress) as report:
         chance, low, high, counted, azimuth = _core.pot_map(
-            core_of(shot), where, (columns, rows), sampling, thread_count(threads), report
+            core_of(shot), where, (columns, rows), sampling, tables, thread_count(threads), report
         )
     return PotMap(
         shot=shot,

@@ -14,12 +14,14 @@ from carom.deprecated import renamed_arguments, renamed_attribute
 from carom.errors import InputError
 from carom.noise import Noise, Perception
 from carom.plan.chance import Chance
+from carom.plan.drawn_tables import on_drawn_tables
 from carom.plan.lookup import ball_index, core_of, target
 from carom.plan.options import Goal, Sampling, Search
 from carom.progress import stage_bars
 
 if TYPE_CHECKING:
     import carom
+    from carom.plan.drawn_tables import TablePosterior
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +44,8 @@ class Solution:
         route: The rails and balls from the cue to the target, in words. ``over`` and ``around``
             name resting balls that a ball jumps over or curves around.
         cue_ball_end: Where the cue ball ends, m.
-        chance: The chance that the goal is reached under the noise.
+        chance: The chance that the goal is reached under the noise; with a posterior, over the
+            drawn tables.
     """
 
     shot: carom.Shot
@@ -67,6 +70,7 @@ class Solution:
             "chance": float(self.chance),
             "low": self.chance.low,
             "high": self.chance.high,
+            **({"spread": self.chance.spread} if self.chance.by_table else {}),
             "cue_ball_end": list(self.cue_ball_end),
             "strike": self.shot.to_dict()["strike"],
         }
@@ -99,6 +103,8 @@ def solve(
     azimuth_deg: tuple[float, float] | None = None,
     butt: tuple[Sequence[float], Sequence[float]] | None = None,
     samples: int = 4096,
+    posterior: TablePosterior | None = None,
+    draws: int = 32,
     seed: int = 0,
     level: float = 0.95,
     threads: int | None = None,
@@ -137,16 +143,20 @@ def solve(
         butt: Two opposite corners ``((x, y), (x, y))`` of the rectangle, m, in which the end of the
             butt must be, 1.47 m behind the tip (``Shot.cue_pose``). None has no limit.
         samples: Number of strikes spread over the whole range.
+        posterior: What is known about the table, as in ``Shot.evaluate``. The search
+            plans on the learned table in place of the shot's; the strikes are ranked by their
+            chances over the drawn tables.
+        draws: Number of tables that may be the true one, from 2 to 1000.
         seed: Seed of the random numbers.
         level: Confidence level of the intervals, in (0, 1).
         threads: Number of threads; None is one per core. The result does not depend on it.
         progress: Show a progress bar on stderr.
 
     Raises:
-        InputError: The goal is empty, there is no such ball or pocket, the shot has no strike, or
-            a number is out of range or is not a range.
+        InputError: The goal is empty, there is no such ball or pocket, the shot has no strike, a
+            number is out of range or is not a range, or balls have no room on a drawn table.
     """
-    struck = core_of(shot)
+    core_of(shot)
     degrees = None if azimuth_deg is None else numbers("azimuth_deg", azimuth_deg, 2)
     turns = angles("azimuth", azimuth, degrees)
     if degrees is None:
@@ -175,8 +185,11 @@ def solve(
         butt=butt,
     )
     sampling = Sampling(noise, perception, seed, whole("n", n, low=1), precision, level)
+    shot, tables = on_drawn_tables(shot, posterior, draws, sampling.n, sampling.seed)
     with stage_bars([f"{name} strikes" for name in _core.stages()], show=progress) as report:
-        found = _core.solve(struck, goal, search, sampling, thread_count(threads), report)
+        found = _core.solve(
+            core_of(shot), goal, search, sampling, tables, thread_count(threads), report
+        )
     return [_solution(shot, fields) for fields in found]
 
 
@@ -205,5 +218,11 @@ def _solution(shot: carom.Shot, fields: dict[str, Any]) -> Solution:
         kind=fields["kind"],
         route=fields["route"],
         cue_ball_end=(x, y),
-        chance=Chance(fields["met"], fields["variants"], fields["low"], fields["high"]),
+        chance=Chance(
+            fields["met"],
+            fields["variants"],
+            fields["low"],
+            fields["high"],
+            tuple(fields["by_table"]),
+        ),
     )

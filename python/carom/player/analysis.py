@@ -8,7 +8,8 @@ from html import escape
 from typing import Any, Self
 
 from carom import columns
-from carom.plan.chance import Chance, or_null
+from carom.plan import Evaluation
+from carom.plan.chance import Chance, chances_to_dict, or_null
 from carom.player import words
 from carom.player.decision import Play
 from carom.player.thinking import Thinking
@@ -41,6 +42,14 @@ class Leave:
         x, y = fields["mean"]
         (xx, xy), (yx, yy) = fields["covariance"]
         return cls(fields["count"], (x, y), ((xx, xy), (yx, yy)))
+
+    @classmethod
+    def of(cls, found: Evaluation) -> Self:
+        """The place of the cue ball in the variants of an evaluation."""
+        ball = found.cue_ball
+        (xx, xy), (yx, yy) = found.end_covariance[ball].tolist()
+        x, y = found.end_mean[ball].tolist()
+        return cls(int(found.at_rest[ball]), (x, y), ((xx, xy), (yx, yy)))
 
     @property
     def spread(self) -> float:
@@ -81,7 +90,7 @@ class Recommendation:
         ball: The ball that is to fall; None if none is.
         pocket: The pocket it is to fall into; None if none is.
         win_chance: The estimated probability that the player wins the frame.
-        error: Standard error of ``win_chance``, from the samples alone.
+        error: Standard error of ``win_chance``, from the samples and the drawn tables alone.
         kept: The chance that the player has the turn again or has won.
         foul: The chance of a foul.
         win_if_kept: ``win_chance`` over the samples in which the turn is kept; None without such.
@@ -148,10 +157,7 @@ class Recommendation:
             "win_chance": self.win_chance,
             "error": self.error,
             "samples": self.kept.trials,
-            **{
-                name: {"probability": float(c), "low": c.low, "high": c.high}
-                for name, c in chances.items()
-            },
+            **chances_to_dict(chances),
             "win_if_kept": self.win_if_kept,
             "win_if_missed": self.win_if_missed,
             "leave": self.leave.to_dict(),

@@ -9,8 +9,11 @@ from carom import _core
 from carom.arguments import instance, text, thread_count, whole
 from carom.errors import InputError
 from carom.noise import Noise, Perception
+from carom.plan import TablePosterior
+from carom.plan.drawn_tables import on_learned_table
 from carom.player.analysis import Analysis
 from carom.player.decision import Decision
+from carom.player.on_tables import CANDIDATES, check_tables, ranked_on_tables
 from carom.player.thinking import MOST_SIMULATIONS, USUAL_SIMULATIONS, Thinking
 from carom.rules import Frame
 from carom.shot import Shot
@@ -118,6 +121,8 @@ class Player:
         game: str | None = None,
         noise: Noise | None = None,
         opponent_noise: Noise | None = None,
+        posterior: TablePosterior | None = None,
+        draws: int = 32,
     ) -> Decision:
         """Answer the request of a frame. The frame is not changed.
 
@@ -126,13 +131,27 @@ class Player:
             game: The game, for a shot.
             noise: Errors of the player's strikes in this decision; None is the player's.
             opponent_noise: Errors of the opponent's strikes; None is those of the player.
+            posterior: What is known about the table, as for ``explain``, whose best play is
+                returned. A choice is made on the learned table alone.
+            draws: Number of tables that may be the true one, from 2 to 1000.
 
         Raises:
-            InputError: The frame is over, a value has the wrong type, or the balls of the shot do
-                not fit the game.
+            InputError: The frame is over, a value has the wrong type, the balls of the shot do
+                not fit the game, or the table of the frame is not the learned one.
             EventCapError: A simulated shot reached its largest number of events.
         """
-        position, thinking = _frame_of(frame, game), self._options(noise, opponent_noise)
+        position = _frame_of(frame, game, posterior)
+        thinking = self._options(noise, opponent_noise)
+        if posterior is not None and position.request.kind == "shot":
+            found = self._explained(position, 1, thinking, posterior, draws)
+            if found.best is not None:
+                return Decision(
+                    found.best.play,
+                    win_chance=found.best.win_chance,
+                    simulations=found.simulations,
+                    rounds=found.rounds,
+                    interrupted=found.interrupted,
+                )
         fields = self._core.choose(position._core, thinking, thread_count(self._threads))
         return Decision._read(fields)
 
@@ -144,6 +163,8 @@ class Player:
         game: str | None = None,
         noise: Noise | None = None,
         opponent_noise: Noise | None = None,
+        posterior: TablePosterior | None = None,
+        draws: int = 32,
     ) -> Analysis:
         """The best plays of a position with their chances. The frame is not changed.
 
@@ -156,17 +177,42 @@ class Player:
             game: The game, for a shot.
             noise: Errors of the player's strikes in this search; None is the player's.
             opponent_noise: Errors of the opponent's strikes; None is those of the player.
+            posterior: What is known about the table, such as a ``carom.learn.Posterior``. A shot is
+                put on the learned table; a frame must have it. The search is one on the learned
+                table. Its best plays, at least eight, are then ranked by their chances over drawn
+                tables: how often the turn is kept, fouls and the leave are counted there, while a
+                kept and a missed turn are worth what they are on the learned table.
+            draws: Number of tables that may be the true one, from 2 to 1000.
 
         Raises:
-            InputError: The frame is over or requests a choice, a value has the wrong type, or the
-                balls of the shot do not fit the game.
+            InputError: The frame is over or requests a choice, a value has the wrong type, the
+                balls of the shot do not fit the game, or the table of the frame is not the learned
+                one.
             EventCapError: A simulated shot reached its largest number of events.
         """
-        position, thinking = _frame_of(frame, game).copy(), self._options(noise, opponent_noise)
+        position = _frame_of(frame, game, posterior)
         most = whole("count", count, _MOST_PLAYS + 1, low=1)
-        threads = thread_count(self._threads)
-        fields = self._core.explain(position._core, thinking, most, threads)
-        return Analysis._read(fields, position, thinking)
+        return self._explained(
+            position, most, self._options(noise, opponent_noise), posterior, draws
+        )
+
+    def _explained(
+        self,
+        frame: Frame,
+        count: int,
+        thinking: Thinking,
+        posterior: TablePosterior | None,
+        draws: int,
+    ) -> Analysis:
+        position, most = frame.copy(), count
+        if posterior is not None:
+            check_tables(position, posterior, draws)
+            most = max(count, CANDIDATES)
+        fields = self._core.explain(position._core, thinking, most, thread_count(self._threads))
+        found = Analysis._read(fields, position, thinking)
+        if posterior is None:
+            return found
+        return ranked_on_tables(found, posterior, draws, count, self._threads)
 
     def stop(self) -> None:
         """End the decisions in progress, from another thread.
@@ -204,13 +250,18 @@ def players() -> list[str]:
     return _core.players()
 
 
-def _frame_of(frame: Frame | Shot, game: str | None) -> Frame:
+def _frame_of(
+    frame: Frame | Shot, game: str | None, posterior: TablePosterior | None = None
+) -> Frame:
+    """The frame; that of a shot is on the learned table, if there is one."""
     if isinstance(frame, Shot):
         if game is None:
             raise InputError(
                 "missing", "game", "a shot has no game", 'give one, such as game="eight-ball"'
             )
-        return Frame.of_shot(game, frame)
+        return Frame.of_shot(
+            game, frame if posterior is None else on_learned_table(frame, posterior)
+        )
     instance("frame", frame, Frame, 'carom.Frame("nine-ball")')
     if game is not None:
         raise InputError("conflict", "game", "the frame has a game", "leave it out")
