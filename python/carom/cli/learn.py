@@ -158,6 +158,21 @@ def table(
             metavar="FILE.html", help="Write a page: numbers, figures, and every shot simulated."
         ),
     ] = None,
+    compare: Annotated[
+        bool,
+        typer.Option(
+            "--compare",
+            help="Compare the models of rails and of two balls by shots that are held out "
+            "(many times as long).",
+        ),
+    ] = False,
+    keep: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="FOLDER",
+            help="Keep every finished step here; the same command goes on from it.",
+        ),
+    ] = None,
     rounds: Annotated[
         int, typer.Option(min=1, help="How often the search for the strikes is repeated.")
     ] = 3,
@@ -168,19 +183,26 @@ def table(
 ) -> None:
     """Learn the physics of a table, its nose lines and the camera's offset from filmed shots."""
     tracks = tracks_of.read_tracks(file, table=table, radius=radius)
-    learned = tracks_of.table(
-        tracks,
-        physics=physics,
-        free=free,
-        rounds=rounds,
-        starts=starts,
-        seed=seed,
-        threads=threads,
-        progress=sys.stderr.isatty(),
-    )
+    if keep is not None:
+        keep.mkdir(parents=True, exist_ok=True)
+    how: dict[str, Any] = {
+        "physics": physics,
+        "free": free,
+        "rounds": rounds,
+        "starts": starts,
+        "seed": seed,
+        "threads": threads,
+        "progress": sys.stderr.isatty(),
+    }
+    learned = tracks_of.table(tracks, **how, keep=keep and keep / "table.json")
     learned.save(out)
     emit(learned.to_json() if json else learned.summary())
     say(f"wrote {out}")
+    models: list[tracks_of.ModelScore] = []
+    if compare:
+        models = tracks_of.compare_models(tracks, **how, keep=keep and keep / "models.json")
+        if not json:
+            emit("\n".join(["", "Models by held-out shots:", *map(_score, models)]))
     if report is not None:
         found = tracks_of.strikes(
             tracks,
@@ -191,7 +213,7 @@ def table(
             progress=sys.stderr.isatty(),
         )
         title = f"Table learned from {file.name}"
-        write_report(fit_report(tracks, learned, found), report, title=title)
+        write_report(fit_report(tracks, learned, found, models), report, title=title)
         say(f"wrote {report}")
 
 
@@ -315,6 +337,10 @@ def player(
 def _row(index: int, strike: tracks_of.FilmedStrike) -> str:
     errors = f"{1000.0 * strike.rmse:10.1f}  {1000.0 * strike.rmse_3s:9.1f}"
     return f"{index:04}  {strike.name:8}  {errors}"
+
+
+def _score(model: tracks_of.ModelScore) -> str:
+    return f"{model.model:32}  {model.score:7.3f} ± {model.standard_error:.3f}"
 
 
 def _columns(text: str) -> dict[str, str]:

@@ -16,6 +16,7 @@ from carom.learn.findings import Finding
 from carom.learn.fit_player import player, players
 from carom.learn.header import FileFrame, TracksHeader
 from carom.learn.learned import Posterior, table
+from carom.learn.model_scores import ModelScore, compare_models
 from carom.learn.player_chances import ChanceOfDraws, PlayerChances
 from carom.learn.player_errors import PlayedStrike
 from carom.learn.player_folder import read_players, read_strikes
@@ -25,7 +26,7 @@ from carom.learn.posterior import LearnedNumbers, LearnedTable
 from carom.learn.quality import ShotQuality, TracksReport, check
 from carom.learn.read import read_tracks
 from carom.learn.recordings import cut_into_shots
-from carom.learn.report_data import FitReport, ModelScore, ShotFit, fit_report
+from carom.learn.report_data import FitReport, ShotFit, fit_report
 from carom.learn.segment import Run, Segments, segment
 from carom.learn.synthetic import SyntheticTracks, TrueContact, synthetic
 from carom.learn.table_model import PARAMETERS, Frame, Parameter
@@ -62,6 +63,7 @@ __all__ = [
     "TracksReport",
     "TrueContact",
     "check",
+    "compare_models",
     "cut_into_shots",
     "find_intentions",
     "fit_report",

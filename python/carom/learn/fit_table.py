@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
-from carom.arguments import cores
 from carom.errors import InputError
 from carom.lazy import np
 from carom.learn import levenberg
+from carom.learn.kept_work import KeptWork
 from carom.learn.observation import Observation
 from carom.learn.strike_search import (
     STEPS,
@@ -20,7 +20,6 @@ from carom.learn.strike_search import (
     search,
 )
 from carom.learn.table_model import TableModel
-from carom.progress import progress_bar
 from carom.threads import in_order
 
 if TYPE_CHECKING:
@@ -48,6 +47,10 @@ DAMPING = 0.002
 PRIOR = 0.1
 
 
+class UnexplainedError(InputError):
+    """No shot stays on its track for long enough to count."""
+
+
 @dataclass(frozen=True, slots=True)
 class _Part:
     """What one shot says about the free numbers, its strike eliminated.
@@ -70,20 +73,37 @@ def fit(
     rounds: int,
     starts: int,
     seed: int,
-    threads: int | None,
-    progress: bool,
+    threads: int,
+    done: Callable[[int], object],
+    kept: KeptWork | None = None,
 ) -> tuple[Floats, Floats, Floats]:
     """Fit the free numbers of a table, as ``carom.learn.table`` describes.
+
+    Args:
+        observed: What was seen of each shot.
+        model: The table.
+        rounds: How often strikes and numbers alternate.
+        starts: Starts of each search for a strike.
+        seed: Seed of the starts.
+        threads: Number of threads.
+        done: Called with the number of strikes that were found.
+        kept: Has the rounds of a fit that was stopped, and gets each that ends.
 
     Returns:
         The numbers, shape (p,), and the curvature and the gradient that each used shot adds, shapes
         (n, p, p) and (n, p), in steps.
     """
     joint = _Joint(observed, model, starts, seed, threads)
-    with progress_bar(rounds * len(observed), show=progress, what="strikes") as done:
-        for index in range(rounds):
-            joint.search_strikes(index, done)
-            joint.settle()
+    for index in range(rounds):
+        name = f"round {index + 1}"
+        if kept is not None and (state := kept.get(name)) is not None:
+            joint.restore(state)
+            done(len(observed))
+            continue
+        joint.search_strikes(index, done)
+        joint.settle()
+        if kept is not None:
+            kept.put(name, joint.state())
     return joint.result()
 
 
@@ -96,15 +116,25 @@ class _Joint:
         model: TableModel,
         starts: int,
         seed: int,
-        threads: int | None,
+        threads: int,
     ) -> None:
         self.observed = observed
         self.model = model
         self.starts = starts
         self.seed = seed
-        self.threads = cores(threads)
+        self.threads = threads
         self.vector = model.start
         self.strikes: list[Floats | None] = [None] * len(observed)
+
+    def state(self) -> dict[str, Any]:
+        """Numbers and strikes as values of JSON."""
+        strikes = [None if strike is None else strike.tolist() for strike in self.strikes]
+        return {"vector": self.vector.tolist(), "strikes": strikes}
+
+    def restore(self, state: dict[str, Any]) -> None:
+        """Goes on from a state."""
+        self.vector = np.array(state["vector"])
+        self.strikes = [None if strike is None else np.array(strike) for strike in state["strikes"]]
 
     def problem(self, index: int) -> StrikeProblem:
         shot, frame = self.model.shot(self.observed[index], self.vector)
@@ -134,7 +164,7 @@ class _Joint:
             parts = self.parts()
             used = [part for part in parts if part is not None]
             if not used:
-                raise InputError(
+                raise UnexplainedError(
                     "wrong-count",
                     "tracks",
                     "no shot could be explained for as long as 0.8 s",

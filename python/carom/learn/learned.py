@@ -6,13 +6,16 @@ import os
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+from carom.arguments import cores
 from carom.learn.fit_table import fit
+from carom.learn.kept_work import KeptWork
 from carom.learn.observation import observe
 from carom.learn.posterior import LearnedNumbers
 from carom.learn.report_data import fit_report
 from carom.learn.report_page import write_report
 from carom.learn.table_model import TableModel
 from carom.learn.tracks import Tracks
+from carom.progress import progress_bar
 
 
 class Posterior(LearnedNumbers):
@@ -45,6 +48,7 @@ def table(
     seed: int = 0,
     threads: int | None = None,
     progress: bool = False,
+    keep: str | os.PathLike[str] | None = None,
 ) -> Posterior:
     """Learn the physics of a table, its nose lines and the frame of the camera from filmed shots.
 
@@ -66,21 +70,30 @@ def table(
         seed: Seed of the starts.
         threads: Number of threads; None for all cores.
         progress: Whether to show the progress on stderr.
+        keep: A file that keeps every finished round: a fit of the same shots with the same options
+            goes on from it.
 
     Returns:
         The numbers with their uncertainty.
 
     Raises:
-        InputError: There is no table, a name is unknown, or too few shots can be used.
+        InputError: There is no table, a name is unknown, too few shots can be used, or ``keep`` has
+            the rounds of another fit.
+        OSError: ``keep`` cannot be read or written.
     """
     model = TableModel.of(tracks.header, table, physics, free)
-    found = fit(
-        [observe(shot) for shot in tracks],
-        model,
-        rounds=rounds,
-        starts=starts,
-        seed=seed,
-        threads=threads,
-        progress=progress,
-    )
+    observed = [observe(shot) for shot in tracks]
+    question = ["table", model.table, model.physics, model.names, model.radius, starts, seed]
+    kept = KeptWork(keep, question, observed)
+    with progress_bar(rounds * len(observed), show=progress, what="strikes") as done:
+        found = fit(
+            observed,
+            model,
+            rounds=rounds,
+            starts=starts,
+            seed=seed,
+            threads=cores(threads),
+            done=done,
+            kept=kept,
+        )
     return Posterior.of(model, *found)

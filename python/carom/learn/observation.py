@@ -83,8 +83,9 @@ class Observation:
 def observe(shot: TrackedShot, rate: float = RATE) -> Observation:
     """Samples a tracked shot at even times.
 
-    Between two samples a ball is taken to move evenly. If a camera stores a sample only when a ball
-    has moved, a ball that starts late rested until just before its next sample.
+    Between two samples a ball is taken to move evenly, with two exceptions: before its first motion
+    it rests until just before the next sample, and a ball that comes to rest slows down evenly. A
+    camera that stores a sample only when a ball has moved shows neither.
 
     Raises:
         InputError: No ball moves, or the shot has fewer than five samples of the ball that does.
@@ -140,15 +141,23 @@ def _even(ball: TrackedBall, time: Floats) -> Floats:
     t, places = ball.time, ball.position
     if len(t) == 1:
         return np.broadcast_to(places[0], (time.size, 2)).copy()
-    begin = t[:-1].copy()
     step = np.hypot(*np.diff(places, axis=0).T)
     pause = np.diff(t)
+    speed = step / pause
+    begin, end = t[:-1].copy(), t[1:].copy()
     # The speed after the pause tells when the ball left its place.
-    speed = np.append(step[1:] / pause[1:], 0.0)
-    late = (pause > PAUSE) & (speed > 2.5 * step / pause)
-    begin[late] = np.maximum(t[1:][late] - step[late] / speed[late], begin[late])
+    after = np.append(speed[1:], 0.0)
+    starts = (pause > PAUSE) & (after > 2.5 * speed)
+    first = np.flatnonzero(np.hypot(*(places[1:] - places[0]).T) > MOVED)[:1]
+    starts[first] = after[first] > speed[first]
+    begin[starts] = np.maximum(end[starts] - step[starts] / after[starts], begin[starts])
+    # The speed before it tells when a ball that slows down evenly came to rest.
+    before = np.insert(speed[:-1], 0, 0.0)
+    stops = (pause > PAUSE) & ~starts & (2.0 * step < before * pause)
+    end[stops] = begin[stops] + 2.0 * step[stops] / before[stops]
     index = np.clip(np.searchsorted(t, time, side="right") - 1, 0, len(t) - 2)
-    share = (time - begin[index]) / (t[1:][index] - begin[index])
-    share = np.clip(share, 0.0, 1.0)[:, None]
+    share = (time - begin[index]) / np.maximum(end[index] - begin[index], 1e-9)
+    share = np.clip(share, 0.0, 1.0)
+    share = np.where(stops[index], share * (2.0 - share), share)[:, None]
     even: Floats = places[index] + share * (places[index + 1] - places[index])
     return even

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from carom.lazy import np
 from carom.learn.filmed_strikes import FilmedStrike, strikes
+from carom.learn.model_scores import ModelScore
 from carom.learn.observation import Observation, observe
 from carom.learn.posterior import LearnedNumbers
 from carom.learn.quality import ShotQuality, check
@@ -23,21 +24,6 @@ if TYPE_CHECKING:
 
 #: A ball moves if it is faster, m/s: slower ones have no direction.
 MOVES = 0.1
-
-
-@dataclass(frozen=True, slots=True)
-class ModelScore:
-    """How well a model foretells shots that it was not fitted to.
-
-    Attributes:
-        model: Its name.
-        score: Held-out log score; higher is better.
-        standard_error: Standard error of the score.
-    """
-
-    model: str
-    score: float
-    standard_error: float
 
 
 @dataclass(frozen=True, slots=True, eq=False)

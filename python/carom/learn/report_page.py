@@ -125,13 +125,15 @@ def _models(report: FitReport) -> Iterable[str]:
     best = max(report.models, key=lambda model: model.score)
     rows = [
         row_head(model.model)
-        + cell(minus(f"{model.score:.1f}"))
-        + cell(f"{model.standard_error:.1f}")
-        + cell(minus(f"{model.score - best.score:.1f}"))
+        + cell(minus(f"{model.score:.3f}"))
+        + cell(minus(f"{model.score - best.score:.3f}"))
+        + cell(f"{model.standard_error:.3f}")
         for model in sorted(report.models, key=lambda model: -model.score)
     ]
-    heads = ["model", "log score", "standard error", "less than the best"]
-    yield grid("models", "Log score of shots that were held out; higher is better", heads, rows)
+    heads = ["model", "log score", "less than the best", "± standard error"]
+    yield grid(
+        "models", "Mean log density of held-out coordinates, nats; higher is better", heads, rows
+    )
 
 
 def _corner(posterior: LearnedNumbers) -> Iterable[str]:

@@ -164,7 +164,8 @@ class TableModel:
         self.physics = dict(base) if isinstance(base, Mapping) else {"base": base}
         self.radius = radius
         values = _values(self.table, self.physics)
-        self.cushion_model = values["cushion.model"]
+        self.cushion_model = str(values["cushion.model"])
+        self.ball_model = str(values["ball_ball.model"])
         self._law = {"a": values["rolling.a"], "b": values["rolling.b"]}
         self._size = (values["table.width"], values["table.length"])
         self._height = values.get("table.cushion_height")
