@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from carom.errors import InputError
 from carom.lazy import np
 from carom.learn import levenberg
+from carom.learn.intended_strikes import IntendedStrike
 from carom.learn.kept_work import KeptWork
 from carom.learn.observation import Observation
 from carom.learn.strike_search import (
@@ -29,6 +30,8 @@ if TYPE_CHECKING:
 
 #: A shot that is on the track for less, s, does not count.
 LEAST_HORIZON = 0.8
+#: The same if its strike is known apart from the film: then it tells of the table from the start.
+LEAST_KNOWN = 0.1
 #: Standard deviation of model minus track, m: at the strike, and its growth a second. The error of
 #: a model grows with every contact, and contacts come at a steady pace.
 SIGMA = (0.004, 0.004)
@@ -76,6 +79,7 @@ def fit(
     threads: int,
     done: Callable[[int], object],
     kept: KeptWork | None = None,
+    intended: Sequence[IntendedStrike | None] | None = None,
 ) -> tuple[Floats, Floats, Floats]:
     """Fit the free numbers of a table, as ``carom.learn.table`` describes.
 
@@ -88,12 +92,14 @@ def fit(
         threads: Number of threads.
         done: Called with the number of strikes that were found.
         kept: Has the rounds of a fit that was stopped, and gets each that ends.
+        intended: The intended strike of each shot, where it is known.
 
     Returns:
         The numbers, shape (p,), and the curvature and the gradient that each used shot adds, shapes
         (n, p, p) and (n, p), in steps.
     """
-    joint = _Joint(observed, model, starts, seed, threads)
+    meant = [None] * len(observed) if intended is None else intended
+    joint = _Joint(observed, model, meant, starts, seed, threads)
     for index in range(rounds):
         name = f"round {index + 1}"
         if kept is not None and (state := kept.get(name)) is not None:
@@ -114,12 +120,14 @@ class _Joint:
         self,
         observed: Sequence[Observation],
         model: TableModel,
+        intended: Sequence[IntendedStrike | None],
         starts: int,
         seed: int,
         threads: int,
     ) -> None:
         self.observed = observed
         self.model = model
+        self.intended = intended
         self.starts = starts
         self.seed = seed
         self.threads = threads
@@ -138,7 +146,7 @@ class _Joint:
 
     def problem(self, index: int) -> StrikeProblem:
         shot, frame = self.model.shot(self.observed[index], self.vector)
-        return StrikeProblem(self.observed[index], shot, frame)
+        return StrikeProblem(self.observed[index], shot, frame, intended=self.intended[index])
 
     def search_strikes(self, turn: int, done: Callable[[int], object]) -> None:
         """Looks for a better strike of every shot."""
@@ -218,7 +226,9 @@ class _Joint:
             return None
         observed, model = self.observed[index], self.model
         horizon = self.horizon(index, vector)
-        if horizon < observed.first_move + LEAST_HORIZON:
+        meant = self.intended[index]
+        is_known = meant is not None and np.isfinite(meant.sigma).all()
+        if horizon < observed.first_move + (LEAST_KNOWN if is_known else LEAST_HORIZON):
             return None
         problem = self.problem(index)
         at = problem.residuals(horizon)
@@ -244,6 +254,11 @@ class _Joint:
         normal = (slopes * weight) @ slopes.T
         gradient = (slopes * weight) @ here
         count = len(STEPS)
+        if meant is not None:
+            # What is known of the strike apart from the film, in steps.
+            known = (np.array(STEPS[:5]) / meant.sigma) ** 2
+            normal[range(5), range(5)] += known
+            gradient[:5] += known * (vector[:5] - meant.vector) / STEPS[:5]
         strike = normal[:count, :count]
         strike = strike + np.diag(1e-3 * np.diag(strike) + 1e-3)
         eliminate = np.linalg.solve(strike, normal[:count, count:]).T

@@ -8,6 +8,7 @@ from typing import Any
 
 from carom.arguments import cores
 from carom.learn.fit_table import fit
+from carom.learn.intended_strikes import intended_strikes
 from carom.learn.kept_work import KeptWork
 from carom.learn.observation import observe
 from carom.learn.posterior import LearnedNumbers
@@ -15,7 +16,9 @@ from carom.learn.report_data import fit_report
 from carom.learn.report_page import write_report
 from carom.learn.table_model import TableModel
 from carom.learn.tracks import Tracks
+from carom.noise import Noise
 from carom.progress import progress_bar
+from carom.shot import Shot
 
 
 class Posterior(LearnedNumbers):
@@ -43,6 +46,8 @@ def table(
     table: str | Mapping[str, Any] | None = None,
     physics: str | Mapping[str, Any] | None = None,
     free: Iterable[str] | None = None,
+    intended: Shot | Mapping[str, Shot] | None = None,
+    noise: Noise | None = None,
     rounds: int = 3,
     starts: int = 40,
     seed: int = 0,
@@ -65,6 +70,11 @@ def table(
             the physics that belongs to the table.
         free: Names of the numbers to learn (``carom.learn.PARAMETERS``); None for all that the
             table and the models have.
+        intended: The intended shot, if all are repetitions of it, or one by the name of each shot
+            that has one, such as those that the sensors of a robot measured: the search for a
+            strike then begins near it.
+        noise: Errors of the played strikes about the intended ones, or of the sensors. The better
+            the strikes are known, the more the films tell of the table. None if they are unknown.
         rounds: How often the two steps alternate.
         starts: Starts of the search for a strike.
         seed: Seed of the starts.
@@ -77,13 +87,24 @@ def table(
         The numbers with their uncertainty.
 
     Raises:
-        InputError: There is no table, a name is unknown, too few shots can be used, or ``keep`` has
+        InputError: There is no table, a name is unknown, too few shots can be used, an intended
+            shot has no strike or no film, there is a noise without an intention, or ``keep`` has
             the rounds of another fit.
         OSError: ``keep`` cannot be read or written.
     """
     model = TableModel.of(tracks.header, table, physics, free)
     observed = [observe(shot) for shot in tracks]
-    question = ["table", model.table, model.physics, model.names, model.radius, starts, seed]
+    meant = intended_strikes(tracks, intended, noise)
+    question: list[Any] = [
+        "table",
+        model.table,
+        model.physics,
+        model.names,
+        model.radius,
+        starts,
+        seed,
+    ]
+    question.append([None if one is None else one.to_list() for one in meant])
     kept = KeptWork(keep, question, observed)
     with progress_bar(rounds * len(observed), show=progress, what="strikes") as done:
         found = fit(
@@ -95,5 +116,6 @@ def table(
             threads=cores(threads),
             done=done,
             kept=kept,
+            intended=meant,
         )
     return Posterior.of(model, *found)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 from carom.candidates import Candidates
 from carom.lazy import np
 from carom.learn import levenberg
+from carom.learn.intended_strikes import IntendedStrike
 from carom.learn.observation import Observation
 from carom.learn.table_model import Frame
 from carom.shot import Shot
@@ -34,6 +35,13 @@ LARGEST_SPEED = 12.0
 #: costs as much as an error of 0.05 m in one coordinate of one picture.
 PLAIN_ELEVATION = 0.05
 PLAIN_WEIGHT = 0.05
+#: Standard deviation of the starts about an intended strike if it is not known: azimuth (rad),
+#: speed (m/s), side, height (ball radii), elevation (rad). That of a weak player; the first start
+#: is the intended strike itself.
+NEAR = (0.01, 0.2, 0.1, 0.1, 0.03)
+#: A number of a strike that is one standard deviation from the intended one costs as much as this
+#: error, m, in one coordinate of one picture: the standard deviation of model minus track at first.
+INTENDED_WEIGHT = 0.004
 #: A useful step of a place of rest, m, if it is free.
 REST_STEP = 0.001
 #: A place of rest that is one standard deviation away costs as much as this error, m, in one
@@ -60,6 +68,7 @@ class StrikeProblem:
         rest: Standard deviation of the places where the balls lay, m; they are then part of a
             vector, behind the numbers of the strike, as displacements in x and y of each ball. None
             takes the places as they were seen.
+        intended: The intended strike, if it is known.
     """
 
     def __init__(
@@ -68,7 +77,9 @@ class StrikeProblem:
         shot: Shot,
         frame: Frame,
         rest: float | None = None,
+        intended: IntendedStrike | None = None,
     ) -> None:
+        self.intended = intended
         self.observed = observed
         self.shot = shot
         self.frame = frame
@@ -98,9 +109,50 @@ class StrikeProblem:
             found[(clock < low) | (clock > high)] = np.nan
             tilt = PLAIN_WEIGHT * (np.abs(strike[:, 4:5]) - PLAIN_ELEVATION)
             away = moved * (REST_WEIGHT / self.rest) if self.rest else moved
-            return np.concatenate((found, tilt, away), axis=1)
+            return np.concatenate((found, self._from_intended(strike), tilt, away), axis=1)
 
         return at
+
+    def _from_intended(self, strike: Floats) -> Floats:
+        """How far strikes, (n, 6), are from the intended one, as errors of a coordinate, m."""
+        if self.intended is None:
+            return strike[:, :0]
+        apart = strike[:, :5] - self.intended.vector
+        apart[:, 0] = np.remainder(apart[:, 0] + np.pi, 2.0 * np.pi) - np.pi
+        apart[:, 4] = np.abs(strike[:, 4]) - self.intended.vector[4]
+        return INTENDED_WEIGHT * apart / self.intended.sigma
+
+    def starts(self, count: int, random: np.random.Generator) -> Floats:
+        """Strikes at which a search begins, shape (count, 6).
+
+        They are near the intended one. If that is not known, the azimuth and the speed are those
+        that the first pictures show, and the tip's offset and the elevation are drawn.
+        """
+        clock = np.full(count, np.mean(self.observed.strike_time))
+        if self.intended is not None:
+            own = self.intended
+            near = np.minimum(own.sigma, NEAR) * random.standard_normal((count, len(NEAR)))
+            near[0] = 0.0
+            near += own.vector
+            near[:, 1] = np.maximum(near[:, 1], 0.1 * own.vector[1])
+            offset = np.hypot(near[:, 2], near[:, 3])
+            near[:, 2:4] *= np.minimum(1.0, 0.95 * LARGEST_OFFSET / np.maximum(offset, 1e-9))[
+                :, None
+            ]
+            return np.column_stack((near, clock))
+        azimuth, speed = self.begin()
+        radius = 0.5 * np.sqrt(random.random(count))
+        angle = 2.0 * np.pi * random.random(count)
+        return np.column_stack(
+            (
+                np.full(count, azimuth),
+                np.full(count, speed),
+                radius * np.cos(angle),
+                radius * np.sin(angle),
+                0.02 + 0.12 * random.random(count),
+                clock,
+            )
+        )
 
     def begin(self) -> tuple[float, float]:
         """Azimuth, rad, and speed of the cue, m/s, that the first pictures show."""
@@ -165,25 +217,12 @@ def residuals(
 def search(problem: StrikeProblem, starts: int, seed: int, keep: int = 4) -> tuple[Floats, Floats]:
     """The best strikes of a shot from many starts: vectors, (n, p), and sums of squares, m².
 
-    The azimuth and the speed begin at what the first pictures show; the tip's offset and the
-    elevation are drawn. The horizon grows: after a contact the sum of squares has many narrow
-    minima, which only a start that is already near can find.
+    The horizon grows: after a contact the sum of squares has many narrow minima, which only a start
+    that is already near can find.
     """
     end = problem.observed.end
     random = np.random.default_rng((seed, 0x5712))
-    azimuth, speed = problem.begin()
-    radius = 0.5 * np.sqrt(random.random(starts))
-    angle = 2.0 * np.pi * random.random(starts)
-    vectors = np.column_stack(
-        (
-            np.full(starts, azimuth),
-            np.full(starts, speed),
-            radius * np.cos(angle),
-            radius * np.sin(angle),
-            0.02 + 0.12 * random.random(starts),
-            np.full(starts, np.mean(problem.observed.strike_time)),
-        )
-    )
+    vectors = problem.starts(starts, random)
     steps = np.array(STEPS)
     begin = problem.observed.first_move
     horizon = min(begin + FIRST_HORIZON, end)
