@@ -131,6 +131,25 @@ class GameState(Record):
     innings: list[int]
 
 
+class CaromCount(Record):
+    """What a referee counts in a game without pockets.
+
+    Attributes:
+        balls: Object balls that the cue ball touched: 2 for two and more.
+        cushions: Cushions that it touched before the second of them, or in the whole shot if it
+            touched fewer than two.
+        needed: Cushions that the shot needs.
+        stayed: Whether the balls stayed in a corner's zone, so that the carom does not count.
+    """
+
+    __slots__ = ()
+
+    balls: int
+    cushions: int
+    needed: int
+    stayed: bool
+
+
 class Foul(Record):
     """A foul.
 

@@ -16,7 +16,7 @@ from carom.deprecated import renamed_arguments
 from carom.errors import InputError
 from carom.noise import Noise
 from carom.reference import DEFAULT_OPTIONS, Options
-from carom.request import Choice, Foul, GameState, Request
+from carom.request import CaromCount, Choice, Foul, GameState, Request
 from carom.request import request as read_request
 from carom.shot import Shot
 from carom.trace import Trace
@@ -48,6 +48,7 @@ class Ruling:
         spotted: Ids of the balls that were spotted.
         racked: Whether the balls were racked again.
         trace: The shot; None for a choice.
+        carom: Balls and cushions of the cue ball; None for a choice and in games with pockets.
     """
 
     legal: bool
@@ -56,6 +57,7 @@ class Ruling:
     spotted: tuple[str, ...]
     racked: bool
     trace: Trace | None = None
+    carom: CaromCount | None = None
 
     @classmethod
     def _read(cls, node: Mapping[str, Any], trace: Trace | None = None) -> Self:
@@ -67,6 +69,7 @@ class Ruling:
             spotted=tuple(node["spotted"]),
             racked=node["racked"],
             trace=trace,
+            carom=CaromCount(node["carom"]) if "carom" in node else None,
         )
 
 

@@ -27,6 +27,7 @@
 //! documentation's page "Rules of the games" lists the rule books.
 
 mod answer;
+mod carom_way;
 mod describe;
 mod execution;
 mod frame;
@@ -53,6 +54,7 @@ mod scenarios;
 
 pub use answer::play_schema;
 pub use carom::rack::Game;
+pub use carom_way::{CaromCount, CaromWay};
 pub use execution::{ErrorDraw, ErrorSeeds, execute};
 pub use frame::{Frame, FrameSimulator, Prepared, recorded_setup};
 pub use games::{GameFacts, Objective, Opening, OpeningKind, RandomStart, Scoring, Stalemate};

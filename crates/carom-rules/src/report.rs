@@ -5,11 +5,22 @@ use carom::format::Node;
 use carom::table::PocketName;
 use carom::{Error, ErrorKind};
 
+use crate::carom_way::CaromCount;
 use crate::frame::Frame;
 use crate::layout::BallIndex;
 use crate::play::Call;
 use crate::request::{Request, Turn};
 use crate::ruling::Ruling;
+
+fn carom_node(count: CaromCount) -> Node {
+    let number = |count: u8| Node::from(u32::from(count));
+    Node::object([
+        ("balls", number(count.balls)),
+        ("cushions", number(count.cushions)),
+        ("needed", number(count.needed)),
+        ("stayed", count.stayed.into()),
+    ])
+}
 
 /// The keys of a frame's plain values, in their order.
 const KEYS: [&str; 7] = ["game", "request", "scores", "fouls_in_a_row", "shots", "balls", "state"];
@@ -40,18 +51,22 @@ impl Frame {
         })
     }
 
-    /// A ruling of this frame.
+    /// A ruling of this frame; `carom` only in games without pockets.
     pub fn ruling_node(&self, ruling: &Ruling) -> Node {
         let fouls = ruling.fouls.iter().map(|foul| {
             Node::object([("what", foul.words().into()), ("rule", self.facts().rule(foul).into())])
         });
-        Node::object([
+        let mut node = Node::object([
             ("legal", ruling.is_legal().into()),
             ("fouls", Node::list(fouls)),
             ("points", Node::list(ruling.points.map(i64::from))),
             ("spotted", self.ids(&ruling.spotted)),
             ("racked", ruling.racked.into()),
-        ])
+        ]);
+        if let Some(count) = ruling.carom {
+            node.set("carom", carom_node(count));
+        }
+        node
     }
 
     /// The ball with this id.

@@ -1,5 +1,6 @@
 //! Fouls, and the ruling on a shot or a choice.
 
+use crate::carom_way::CaromCount;
 use crate::layout::BallList;
 
 /// A breach of the rules in a shot.
@@ -143,6 +144,8 @@ pub struct Ruling {
     pub spotted: BallList,
     /// Whether the balls were racked again; in straight pool also if only fourteen of them were.
     pub racked: bool,
+    /// Balls and cushions of the cue ball; none in games with pockets.
+    pub carom: Option<CaromCount>,
 }
 
 impl Ruling {

@@ -114,8 +114,9 @@ impl GameRules for FourBall {
         Self::spot(state, &shot.outcome.off_table);
         let is_last = state.scores[seat] + 1 == state.options.points;
         let cushions = if is_last { LAST_CUSHIONS } else { 0 };
-        let scored =
-            fouls.is_empty() && hits == REDS.len() && innings::is_carom(state, shot, cushions);
+        let count = innings::counted(state, shot, cushions);
+        state.ruling.carom = Some(count);
+        let scored = fouls.is_empty() && hits == REDS.len() && count.is_carom();
         state.ruling.points[seat] = if fouls.is_empty() { scored.into() } else { PENALTY };
         if state.scores_after()[seat] >= state.options.points {
             return Request::won(seat, "the target was reached");

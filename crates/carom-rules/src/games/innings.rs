@@ -1,12 +1,11 @@
 //! What the games on tables without pockets share: two cue balls, innings, the starting position and the count of
 //! cushions.
 
-use carom::Table;
-use carom::outcome::{Outcome, Touched};
-use carom::table::Rail;
+use carom::outcome::Touched;
 
 use super::game::PlayedShot;
-use crate::layout::{BallIndex, BallList, FROZEN, FrameLayout};
+use crate::carom_way::{CaromCount, CaromWay};
+use crate::layout::{BallIndex, BallList, FROZEN};
 use crate::referee::NearHit;
 use crate::request::{Calls, Choice, Request, Turn};
 use crate::ruling::{Foul, Fouls};
@@ -132,42 +131,10 @@ pub(crate) fn fouls(shot: &PlayedShot<'_>, was_opening: bool, red: BallIndex) ->
     fouls
 }
 
-/// Some of the four rails of a table without pockets.
-type RailSet = [Option<Rail>; 4];
-
-/// The rails to which `ball` is frozen.
-fn frozen_to(table: &Table, layout: &FrameLayout, ball: BallIndex) -> RailSet {
-    let Some([x, y]) = layout.place(ball) else { return RailSet::default() };
-    let reach = table.reach(layout.radius(ball)) + FROZEN;
-    let near = [
-        (x, Rail::Left),
-        (table.size.x - x, Rail::Right),
-        (y, Rail::Bottom),
-        (table.size.y - y, Rail::Top),
-    ];
-    near.map(|(distance, rail)| (distance <= reach).then_some(rail))
-}
-
-/// Whether the cue ball touched two object balls, and at least `cushions` cushions before the second of them. A first
-/// touch of a cushion to which it was frozen does not count.
-pub(crate) fn is_carom(state: &FrameState, shot: &PlayedShot<'_>, cushions: usize) -> bool {
-    count(shot.outcome, &frozen_to(state.base.table(), shot.before, shot.turn.cue), cushions)
-}
-
-fn count(outcome: &Outcome, frozen_to: &RailSet, least: usize) -> bool {
-    let touched = &outcome.cue_ball_touched;
-    let mut cushions = 0;
-    let mut first = None;
-    let pressed =
-        |t: &Touched| matches!(t, Touched::Rail(rail) if frozen_to.contains(&Some(*rail)));
-    let skipped = usize::from(touched.first().is_some_and(pressed));
-    for touched in &touched[skipped..] {
-        match (*touched, first) {
-            (Touched::Rail(_), _) => cushions += 1,
-            (Touched::Ball(ball), None) => first = Some(ball),
-            (Touched::Ball(ball), Some(one)) if ball != one => return cushions >= least,
-            (Touched::Ball(_), Some(_)) => {}
-        }
-    }
-    false
+/// What the cue ball touched, in a shot that needs `cushions` cushions before the second object ball.
+pub(crate) fn counted(state: &FrameState, shot: &PlayedShot<'_>, cushions: usize) -> CaromCount {
+    let (layout, cue) = (shot.before, shot.turn.cue);
+    // A cue ball that is struck lies on the table.
+    let place = layout.place(cue).unwrap_or_default();
+    CaromWay::new(shot.outcome, state.base.table(), place, layout.radius(cue)).count(cushions)
 }

@@ -99,7 +99,9 @@ impl GameRules for ThreeCushion {
         let was_opening = core::mem::take(&mut self.innings.is_opening);
         state.ruling.fouls = innings::fouls(shot, was_opening, RED);
         Self::spot(state, &shot.outcome.off_table, shot.opponent());
-        let scored = state.ruling.is_legal() && innings::is_carom(state, shot, CUSHIONS);
+        let count = innings::counted(state, shot, CUSHIONS);
+        state.ruling.carom = Some(count);
+        let scored = state.ruling.is_legal() && count.is_carom();
         state.ruling.points[seat] = scored.into();
         let scores = state.scores_after();
         if scored && scores[seat] < state.options.points {

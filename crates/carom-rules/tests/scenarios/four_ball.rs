@@ -63,6 +63,8 @@ fn the_last_point_needs_three_cushions() {
     scenario.play(NOTHING, hit(&[]).touching(&[3, 2]));
     let ruling = scenario.play(NOTHING, hit(&[]).touching(&[3, -1, -1, 2]));
     assert_eq!((ruling.points, ruling.is_legal()), ([0, 0], true));
+    let count = ruling.carom.expect("a count");
+    assert_eq!((count.balls, count.cushions, count.needed, count.stayed), (2, 2, 3, false));
     scenario.asks(1);
     scenario.play(NOTHING, hit(&[2]));
     scenario.play(NOTHING, hit(&[]).touching(&[3, -1, -1, -1, 2]));

@@ -55,6 +55,8 @@ fn the_second_point_in_a_corner_must_drive_a_ball_out() {
     let point = carom(&scenario);
     let ruling = scenario.play(NOTHING, point);
     assert_eq!((ruling.points, ruling.is_legal()), ([0, 0], true), "no ball was driven out");
+    let count = ruling.carom.expect("a count");
+    assert_eq!((count.balls, count.cushions, count.needed, count.stayed), (2, 0, 0, true));
     scenario.asks(1);
 }
 

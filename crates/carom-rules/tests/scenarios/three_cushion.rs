@@ -36,6 +36,22 @@ fn a_carom_needs_three_cushions_before_the_second_ball() {
 }
 
 #[test]
+fn the_ruling_counts_balls_and_cushions() {
+    for (order, counted) in
+        [(&[2, -1, -1, 1, -1][..], (2, 2)), (&[-1, 2, -1, -1, -1], (1, 4)), (&[-1], (0, 1))]
+    {
+        let mut scenario = Scenario::of(Game::ThreeCushion);
+        let point = carom(&scenario);
+        scenario.play(NOTHING, point);
+        let ruling = scenario.play(NOTHING, hit(&[]).touching(order));
+        let count = ruling.carom.expect("a count");
+        assert_eq!((count.balls, count.cushions), counted, "{order:?}");
+        assert_eq!((count.needed, count.stayed), (3, false));
+    }
+    assert_eq!(Scenario::of(Game::NineBall).play(NOTHING, hit(&[1])).carom, None);
+}
+
+#[test]
 fn a_point_keeps_the_turn_and_a_miss_passes_it_with_the_other_cue_ball() {
     let mut scenario = Scenario::of(Game::ThreeCushion);
     let point = carom(&scenario);
