@@ -16,8 +16,11 @@
 //! which another thread can watch and stop them.
 
 mod aim;
+mod ball_way;
 pub mod breaks;
+pub mod carom_route;
 pub mod cushions;
+pub mod diamonds;
 pub mod drawn_tables;
 pub mod error_model;
 pub mod evaluate;
@@ -39,7 +42,9 @@ pub mod solve;
 mod successors;
 pub mod sweep;
 
+pub use carom_route::{CaromFigure, CaromPattern, CaromRoute, RouteSide, counted_touches};
 pub use carom_rules::Prepared;
+pub use diamonds::{DiamondNumber, DiamondReading, DiamondSystem};
 pub use drawn_tables::DrawnTables;
 pub use error_model::{Chance, ChanceByTable, ErrorModel, check_level};
 pub use evaluate::{Evaluation, Question, ResultCounts, Watched, evaluate};

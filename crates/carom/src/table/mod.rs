@@ -139,6 +139,30 @@ impl Rail {
             Self::RightUpper => "right-upper",
         }
     }
+
+    /// The whole rail of which this one may be a half: bottom, top, left or right.
+    pub const fn whole(self) -> Self {
+        match self {
+            Self::Bottom | Self::Top => self,
+            Self::Left | Self::LeftLower | Self::LeftUpper => Self::Left,
+            Self::Right | Self::RightLower | Self::RightUpper => Self::Right,
+        }
+    }
+
+    /// The whole rail across the table.
+    pub const fn opposite(self) -> Self {
+        match self.whole() {
+            Self::Bottom => Self::Top,
+            Self::Top => Self::Bottom,
+            Self::Left => Self::Right,
+            _ => Self::Left,
+        }
+    }
+
+    /// Whether it is a long rail: on the left or the right.
+    pub const fn is_long(self) -> bool {
+        matches!(self.whole(), Self::Left | Self::Right)
+    }
 }
 
 /// Part of a cushion.
