@@ -4,7 +4,7 @@
 
 use carom::Error;
 use carom::table::PocketName;
-use carom_plan::{Chance, Moments};
+use carom_plan::{CaromRoute, Chance, Moments};
 use carom_rules::{BallIndex, Play};
 
 use crate::player::{Budget, Situation, Spent};
@@ -21,6 +21,8 @@ pub struct Recommendation {
     /// The balls on the way to the pocket, first the cue ball, and the cushions that each meets
     /// without errors; empty unless the kind is [`PlayKind::Pot`].
     pub legs: Vec<PlayedLeg>,
+    /// The route of a carom, without errors.
+    pub route: Option<CaromRoute>,
     /// The ball that falls without errors, and its pocket.
     pub pot: Option<(BallIndex, PocketName)>,
     /// The estimated probability of winning the frame.
@@ -75,8 +77,15 @@ impl ShotSearch<'_> {
     pub fn analysis(self) -> Result<Analysis, Error> {
         let stated = self.rounds().stated();
         let Found { candidates, spent } = self.listed()?;
-        let listed = candidates.iter().take(stated);
-        let plays = listed.filter(|candidate| !candidate.fresh.is_empty()).map(recommend).collect();
+        let mut listed: Vec<&Candidate> = Vec::new();
+        for candidate in candidates.iter().take(stated).filter(|play| !play.fresh.is_empty()) {
+            // Caroms of one pattern are one solution, whose best strike stands for it.
+            let is_new = !listed.iter().any(|other| other.aim() == candidate.aim());
+            if candidate.pattern.is_none() || is_new {
+                listed.push(candidate);
+            }
+        }
+        let plays = listed.into_iter().map(recommend).collect();
         Ok(Analysis { plays, spent })
     }
 }
@@ -101,6 +110,7 @@ fn recommend(candidate: &Candidate) -> Recommendation {
         play: candidate.play,
         kind: candidate.kind,
         legs: candidate.legs.clone(),
+        route: candidate.route.clone(),
         pot: candidate.pot,
         win: candidate.stated_win(),
         error: carom::math::sqrt(squares / (count * (count - 1.0).max(1.0))),

@@ -1,6 +1,7 @@
 //! The lists of plays: their names, and which plays they have.
 
 use carom::Noise;
+use carom::outcome::Touched;
 use carom_mind::line::LineKind;
 use carom_mind::search::PlayKind;
 use carom_mind::{Answer, Budget, Player, Recommendation, Searcher, Situation};
@@ -41,7 +42,15 @@ fn assert_name_is_true(before: &Frame, listed: &Recommendation) {
             let keeps = keeps && before.game() != Game::Practice;
             return assert!(!keeps && listed.pot.is_none(), "{story}");
         }
-        PlayKind::Carom => return assert!(keeps && listed.pot.is_none(), "{story}"),
+        PlayKind::Carom => {
+            assert!(keeps && listed.pot.is_none(), "{story}");
+            let route = listed.route.as_ref().expect("a route");
+            assert_eq!(Some(route.pattern.first), outcome.first_contact, "{story}");
+            let mut touched = outcome.cue_ball_touched.iter();
+            let until_second = touched.position(|t| *t == Touched::Ball(route.second));
+            assert!(until_second.is_some_and(|count| count > route.rails.len()), "{story}");
+            return;
+        }
         PlayKind::Pot(_) | PlayKind::Indirect => assert!(keeps, "{story}"),
     }
     let pot = listed.pot.expect("a pot");
@@ -61,6 +70,28 @@ fn assert_name_is_true(before: &Frame, listed: &Recommendation) {
     let on_the_way = usize::from(legs[legs.len() - 1].1);
     assert_eq!(on_the_way > 0, kind == LineKind::Bank, "{story}");
     assert!(on_the_way <= touched_by_object, "{story}");
+}
+
+#[test]
+fn the_caroms_of_a_list_have_a_pattern_each() {
+    let mut frame =
+        Frame::new(Game::ThreeCushion, Options::default(), None, None, 0).expect("a frame");
+    frame
+        .resume_at(&[Some([0.4, 0.6]), Some([1.1, 0.5]), Some([0.9, 2.2])], 0)
+        .expect("a position");
+    let situation = Situation::new(&frame, Noise::olympiad(2.0), 1);
+    let analysis = Searcher::default().analyse(&situation, &Budget::simulations(8000), 6);
+    let plays = analysis.expect("a list").plays;
+    let patterns: Vec<_> =
+        plays.iter().filter_map(|play| Some(play.route.as_ref()?.pattern)).collect();
+    assert!(patterns.len() >= 3, "{patterns:?}");
+    for (k, pattern) in patterns.iter().enumerate() {
+        assert!(!patterns[..k].contains(pattern), "{patterns:?}");
+    }
+    // The game needs three cushions, and the route has them.
+    for route in plays.iter().filter_map(|play| play.route.as_ref()) {
+        assert!(route.rails.len() >= 3, "{route:?}");
+    }
 }
 
 #[test]

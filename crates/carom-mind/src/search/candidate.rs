@@ -2,6 +2,7 @@
 
 use carom::resolve::cue_ball::Strike;
 use carom::table::PocketName;
+use carom_plan::{CaromPattern, CaromRoute};
 use carom_rules::{BallIndex, Play};
 
 use crate::line::{Line, LineKind};
@@ -76,6 +77,10 @@ pub struct Candidate {
     /// without errors. Only plays of a list have them; a play that pots nothing, and an indirect
     /// one, has none.
     pub legs: Vec<PlayedLeg>,
+    /// The pattern of a carom, by what the strike does without errors.
+    pub pattern: Option<CaromPattern>,
+    /// The route of a carom. Only plays of a list have it.
+    pub route: Option<CaromRoute>,
     /// Number of the prepared position: the place of a cue ball in hand.
     pub place: usize,
     /// Estimated value before any sample: a probability of winning.
@@ -92,7 +97,15 @@ pub struct Candidate {
     pub correction: f64,
 }
 
+/// What distinguishes one recommended play from another: the kind, the ball and the pocket, and the pattern of a carom.
+pub(crate) type PlayAim = (PlayKind, Option<(BallIndex, PocketName)>, Option<CaromPattern>);
+
 impl Candidate {
+    /// Its aim.
+    pub(crate) const fn aim(&self) -> PlayAim {
+        (self.kind, self.pot, self.pattern)
+    }
+
     /// The mean value of the samples and of the prior, which counts as much as
     /// four of them, with the correction.
     pub fn mean(&self) -> f64 {

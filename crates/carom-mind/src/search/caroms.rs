@@ -5,7 +5,8 @@ use core::f64::consts::TAU;
 use carom::Error;
 use carom::math::{asin, atan2, sin_cos, sqrt};
 use carom::resolve::cue_ball::Strike;
-use carom_rules::Objective;
+use carom_plan::{CaromPattern, Prepared};
+use carom_rules::{CaromWay, Objective};
 
 use super::candidate::PlayKind;
 use super::explore::{CuePlace, Explorer, FoundPlay, raised};
@@ -33,6 +34,15 @@ const OFFSET: f64 = 0.75;
 const CHANCE: f64 = 0.35;
 
 impl Explorer<'_> {
+    /// The pattern of the carom of the last ruled simulation.
+    pub(crate) fn carom_pattern(&self, prepared: &Prepared<'_>) -> Option<CaromPattern> {
+        let cue = crate::aim::index_in_shot(prepared, self.task.turn.cue)?;
+        let placed = &prepared.shot().balls()[usize::from(cue)];
+        let (start, table) = (placed.state.position, prepared.shot().table());
+        let outcome = self.bench.sampler.outcome();
+        CaromPattern::of(&CaromWay::new(outcome, table, [start.x, start.y], placed.ball.radius))
+    }
+
     /// Adds strikes that score without errors, among points spread evenly over direction, speed and
     /// spin.
     ///

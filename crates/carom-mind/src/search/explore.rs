@@ -119,6 +119,8 @@ impl<'a> Explorer<'a> {
             line,
             pot,
             legs: Vec::new(),
+            pattern: if kind == PlayKind::Carom { self.carom_pattern(prepared) } else { None },
+            route: None,
             place,
             prior,
             end: self.bench.successor.layout().place(self.task.turn.cue),

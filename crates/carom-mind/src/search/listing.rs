@@ -9,9 +9,9 @@ use super::candidate::Candidate;
 use super::race::Race;
 use super::rounds::{Found, ShotSearch};
 
-/// Whether two plays have the same kind, ball and pocket.
+/// Whether two plays have the same aim.
 fn have_one_aim(a: &Candidate, b: &Candidate) -> bool {
-    (a.kind, a.pot) == (b.kind, b.pot)
+    a.aim() == b.aim()
 }
 
 /// The first of the plays from number `first` on that promises more than the worst of the `stated` before. Variants of

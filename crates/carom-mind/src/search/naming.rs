@@ -11,7 +11,7 @@ use carom_rules::{BallIndex, Call};
 use super::candidate::{Candidate, PlayKind};
 use super::explore::Explorer;
 use crate::line::LineKind;
-use carom_plan::Prepared;
+use carom_plan::{CaromRoute, Prepared};
 
 /// Cosine of the least turn of an object ball at a cushion that makes a bank: 10°. A ball that only rubs along
 /// the cushion still goes straight into the pocket.
@@ -130,6 +130,7 @@ impl Explorer<'_> {
         };
         candidate.pot = None;
         candidate.legs.clear();
+        (candidate.pattern, candidate.route) = (None, None);
         candidate.kind = PlayKind::Safety;
         let (_, is_legal) = self.ruled(prepared, candidate.play.call)?;
         if !is_legal || !self.keeps_turn() {
@@ -137,6 +138,9 @@ impl Explorer<'_> {
         }
         if self.task.frame().facts().is_carom() {
             candidate.kind = PlayKind::Carom;
+            candidate.pattern = self.carom_pattern(prepared);
+            let trace = self.task.frame().shot(&candidate.play)?.simulate()?;
+            candidate.route = CaromRoute::new(&trace);
             return Ok(());
         }
         let falls =

@@ -69,13 +69,13 @@ fn are_alike(a: &Candidate, b: &Candidate) -> bool {
         && x * x + y * y < ALIKE * ALIKE
 }
 
-/// Moves the best candidate of each aim (kind, ball and pocket) before all others, these by their values, and
+/// Moves the best candidate of each aim before all others, these by their values, and
 /// keeps the order otherwise. Without this a list of a few plays would show one pot in several variants, and
 /// omit a play that a race has dropped for variants of a better one.
 pub(super) fn distinct_first(candidates: &mut Vec<Candidate>) {
     let mut aims = Vec::new();
     let (first, rest): (Vec<_>, Vec<_>) = candidates.drain(..).partition(|candidate| {
-        let aim = (candidate.kind, candidate.pot);
+        let aim = candidate.aim();
         let is_new = !aims.contains(&aim);
         aims.push(aim);
         is_new

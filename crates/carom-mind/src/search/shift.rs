@@ -162,6 +162,8 @@ mod tests {
             kind: PlayKind::Safety,
             line: None,
             legs: Vec::new(),
+            pattern: None,
+            route: None,
             pot: None,
             place: 0,
             prior: 0.5,
