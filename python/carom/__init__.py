@@ -22,6 +22,7 @@ from carom.batch import BatchResult, simulate_batch
 from carom.build import CuePose, Layout, MovedBall, Physics, Repaired, Strike, Table
 from carom.call import Call
 from carom.candidates import Candidates
+from carom.carom_route import CaromRoute, DiamondReading
 from carom.cloth import rolling_bands
 from carom.errors import (
     AngleWarning,
@@ -97,11 +98,13 @@ __all__ = [
     "Call",
     "Candidates",
     "CaromError",
+    "CaromRoute",
     "Chance",
     "CueCommand",
     "CuePose",
     "CushionTable",
     "Decision",
+    "DiamondReading",
     "EndlessMotionError",
     "Evaluation",
     "EventCapError",

@@ -10,6 +10,7 @@ import carom
 from carom import _core, arguments, notebook, page
 from carom._core import Shot as CoreShot
 from carom._core import Trace as CoreTrace
+from carom.carom_route import CaromRoute, DiamondReading
 from carom.errors import InputError
 from carom.event_table import plain
 from carom.events import Outcome, TraceEvent, event
@@ -180,22 +181,46 @@ class Trace:
         Raises:
             InputError: There is no such ball, or the tolerance is not above 0.
         """
-        ids = self.shot.ids
-        if isinstance(ball, str):
-            if ball not in ids:
-                known = ", ".join(map(repr, ids))
-                raise InputError(
-                    "unknown-ball", "ball", f"there is no ball {ball!r}", f"write one of {known}"
-                )
-            index = ids.index(ball)
-        else:
-            index = arguments.whole("ball", ball, len(ids))
+        index = self._index(ball)
         width = arguments.number("tolerance", tolerance)
         if not width > 0.0:
             raise InputError(
                 "out-of-range", "tolerance", f"{width} m is out of range", "write a number above 0"
             )
         return self._core.polyline(index, width)
+
+    def diamond_reading(self, ball: str | int, event: int | None = None) -> DiamondReading | None:
+        """What a diamond system says of the way of a ball, up to its contact with another ball.
+
+        Args:
+            ball: The ball's id, or its index in ``shot.ids``.
+            event: Number of the event behind which the way begins; None for its beginning.
+
+        Returns:
+            The reading; None if no system fits the way, and on tables without sights.
+
+        Raises:
+            InputError: There is no such ball or event.
+        """
+        number = None if event is None else arguments.whole("event", event, len(self))
+        found = self._core.diamond_reading(self._index(ball), number)
+        return None if found is None else DiamondReading(found)
+
+    @cached_property
+    def carom_route(self) -> CaromRoute | None:
+        """The route of the cue ball to its second object ball; None if it meets fewer than two."""
+        return CaromRoute._read(self._core.carom_route())
+
+    def _index(self, ball: str | int) -> int:
+        ids = self.shot.ids
+        if not isinstance(ball, str):
+            return arguments.whole("ball", ball, len(ids))
+        if ball not in ids:
+            known = ", ".join(map(repr, ids))
+            raise InputError(
+                "unknown-ball", "ball", f"there is no ball {ball!r}", f"write one of {known}"
+            )
+        return ids.index(ball)
 
     def difference(self, again: Trace) -> str | None:
         """The first difference in any bit of any event or final state; None if there is none.

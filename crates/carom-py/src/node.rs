@@ -13,6 +13,19 @@ use crate::exceptions::refuse;
 /// Deepest nesting that is accepted. No format nests deeper; a list that contains itself would.
 const DEEPEST: usize = 32;
 
+/// A tree that becomes plain Python values.
+pub(crate) struct PlainNode(pub(crate) Node);
+
+impl<'py> IntoPyObject<'py> for PlainNode {
+    type Target = PyAny;
+    type Output = Bound<'py, PyAny>;
+    type Error = PyErr;
+
+    fn into_pyobject(self, py: Python<'py>) -> PyResult<Self::Output> {
+        to_python(py, &self.0)
+    }
+}
+
 /// A Python value as a tree.
 pub(crate) fn from_python(value: &Bound<'_, PyAny>) -> PyResult<Node> {
     read(value, &mut String::new(), 0)

@@ -11,6 +11,7 @@ use carom_rules::{Frame as Game, Play};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
+use crate::node::PlainNode;
 use crate::options::{NoiseOptions, PerceptionOptions, count, numbers_of};
 use crate::progress::{self, Interrupt};
 use crate::rules::{CallFields, Frame, call_fields};
@@ -83,6 +84,7 @@ struct RecommendationFields {
     play: PlayFields,
     kind: &'static str,
     legs: Vec<(String, u8)>,
+    route: Option<PlainNode>,
     pot: Option<(String, &'static str)>,
     win: f64,
     error: f64,
@@ -115,6 +117,11 @@ impl RecommendationFields {
             play: PlayFields::new(frame, &found.play),
             kind: found.kind.name(),
             legs: found.legs.iter().map(|leg| (id(frame, leg.0), leg.1)).collect(),
+            route: found.route.as_ref().map(|route| {
+                // In games of carom the shot has all balls of the frame.
+                let id = |ball| frame.layout().balls()[usize::from(ball)].id.as_str();
+                PlainNode(route.to_node(id))
+            }),
             pot: found.pot.map(|(ball, pocket)| (id(frame, ball), pocket.name())),
             win: found.win,
             error: found.error,

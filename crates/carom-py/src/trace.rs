@@ -6,12 +6,13 @@ use carom::format::Node;
 use carom::math::Vec3;
 use carom::trace::{Orientations, Waypoint};
 use carom::{BallState, Error, ShotFile};
+use carom_plan::{CaromRoute, DiamondReading};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 
 use crate::error::to_exception;
 use crate::json;
-use crate::node::{from_python, to_python};
+use crate::node::{PlainNode, from_python, to_python};
 use crate::shot::Shot;
 
 /// A simulated shot with all its events; immutable.
@@ -125,6 +126,18 @@ impl Trace {
             [x, y, z, p.time]
         };
         PyArray1::from_vec(py, points.iter().flat_map(numbers).collect()).reshape([points.len(), 4])
+    }
+
+    /// What a diamond system says of the way of a ball behind an event, or from the beginning; None if no system fits.
+    fn diamond_reading(&self, ball: u16, event: Option<usize>) -> Option<PlainNode> {
+        DiamondReading::new(&self.trace, ball, event).map(|found| PlainNode(found.to_node()))
+    }
+
+    /// The route of the cue ball to its second object ball; None if it meets fewer than two.
+    fn carom_route(&self) -> Option<PlainNode> {
+        let balls = self.trace.shot().balls();
+        let id = |ball| balls[usize::from(ball)].id.as_str();
+        CaromRoute::new(&self.trace).map(|route| PlainNode(route.to_node(id)))
     }
 
     /// The first difference of two traces, in one sentence; None if they are equal to the bit.

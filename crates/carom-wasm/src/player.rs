@@ -7,7 +7,7 @@ use carom::{Error, ErrorKind, Noise};
 use carom_arena::{BuiltInPlayer, TimeLimit};
 use carom_mind::search::Rounds;
 use carom_mind::{Analysis, Answer, Budget, Decision, Recommendation, Searcher, Situation, Spent};
-use carom_plan::{Chance, Moments, wilson};
+use carom_plan::{CaromRoute, Chance, Moments, wilson};
 use carom_rules::{BallIndex, Call, Play};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
@@ -332,6 +332,7 @@ fn recommendation_node(frame: &carom_rules::Frame, found: &Recommendation) -> No
         ("ball", ball),
         ("pocket", pocket),
         ("legs", Node::list(legs)),
+        ("route", found.route.as_ref().map_or(Node::Null, |route| route_node(frame, route))),
         ("play", play_node(frame, &found.play)),
         ("win_chance", found.win.into()),
         ("error", found.error.into()),
@@ -342,6 +343,11 @@ fn recommendation_node(frame: &carom_rules::Frame, found: &Recommendation) -> No
         ("win_if_missed", optional(found.win_if_missed)),
         ("leave", leave_node(&found.leave)),
     ])
+}
+
+/// In games of carom the shot has all balls of the frame.
+fn route_node(frame: &carom_rules::Frame, route: &CaromRoute) -> Node {
+    route.to_node(|ball| &frame.layout().balls()[usize::from(ball)].id)
 }
 
 fn chance_node(chance: &Chance) -> Node {

@@ -5,7 +5,9 @@ use std::sync::Arc;
 
 use carom::ShotFile;
 use carom::format::Node;
+use carom::outcome::Touched;
 use carom::trace::Orientations;
+use carom_plan::{CaromRoute, DiamondReading, counted_touches};
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -96,6 +98,37 @@ impl Trace {
             row[13] = f64::from(state.motion as u8);
         }
         Ok(())
+    }
+
+    /// What a diamond system says of the way of ball `ball` behind event `from`, or from the beginning, JSON; none if no
+    /// system fits. Numbers are doubles, as in [`Self::polyline`].
+    #[wasm_bindgen(js_name = diamondReading)]
+    pub fn diamond_reading(&self, ball: f64, from: Option<f64>) -> Option<String> {
+        let from = from.map(|event| event as usize);
+        DiamondReading::new(&self.trace, ball as u16, from).map(|found| found.to_node().to_json())
+    }
+
+    /// The route of the cue ball to its second object ball, JSON; none if it meets fewer than two.
+    #[wasm_bindgen(js_name = caromRoute)]
+    pub fn carom_route(&self) -> Option<String> {
+        let balls = self.trace.shot().balls();
+        let route = CaromRoute::new(&self.trace)?;
+        Some(route.to_node(|ball| &balls[usize::from(ball)].id).to_json())
+    }
+
+    /// What the cue ball touches up to its second object ball, as a referee of carom counts it, JSON: the number of each
+    /// event with the ball, or null for a cushion.
+    #[wasm_bindgen(js_name = countedTouches)]
+    pub fn counted_touches(&self) -> String {
+        let balls = self.trace.shot().balls();
+        let touches = counted_touches(&self.trace).into_iter().map(|(event, touched)| {
+            let ball = match touched {
+                Touched::Ball(ball) => Node::from(&balls[usize::from(ball)].id),
+                Touched::Rail(_) => Node::Null,
+            };
+            Node::List(vec![(event as u32).into(), ball])
+        });
+        Node::list(touches).to_json()
     }
 
     /// The path of ball `ball` as x, y, z (m), t (s) per point; its chords stay within `tolerance` (m) of

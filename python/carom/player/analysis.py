@@ -8,6 +8,7 @@ from html import escape
 from typing import Any, Self
 
 from carom import columns
+from carom.carom_route import CaromRoute
 from carom.plan import Evaluation
 from carom.plan.chance import Chance, chances_to_dict, or_null
 from carom.player import words
@@ -17,7 +18,7 @@ from carom.rules import Frame
 from carom.shot import Shot
 
 # Kinds of play that are named with the first ball of the play without errors.
-_OFF_A_BALL = ("safety", "carom")
+_OFF_A_BALL = ("safety",)
 # Confidence level of the chances.
 _LEVEL = 0.95
 
@@ -87,6 +88,8 @@ class Recommendation:
             further ball; ``safety``, ``carom``, ``break`` or ``push-out``.
         legs: The balls on the way to the pocket, the cue ball first, each with the number of
             cushions that it meets; empty for an indirect pot and without a pot.
+        route: The route of a carom without errors; None for another play. The caroms of an
+            analysis have one pattern each.
         ball: The ball that is to fall; None if none is.
         pocket: The pocket it is to fall into; None if none is.
         win_chance: The estimated probability that the player wins the frame.
@@ -102,6 +105,7 @@ class Recommendation:
     shot: Shot
     kind: str
     legs: tuple[tuple[str, int], ...]
+    route: CaromRoute | None
     ball: str | None
     pocket: str | None
     win_chance: float
@@ -122,6 +126,7 @@ class Recommendation:
             shot=play.shot(frame),
             kind=fields["kind"],
             legs=tuple((ball, cushions) for ball, cushions in fields["legs"]),
+            route=CaromRoute._read(fields["route"]),
             ball=ball,
             pocket=pocket,
             win_chance=fields["win"],
@@ -136,6 +141,8 @@ class Recommendation:
     @property
     def aim(self) -> str:
         """What is played, in words, such as ``bank: 3 off 1 cushion into top-left``."""
+        if self.route is not None:
+            return f"{self.route.name}: {self.route}"
         if self.ball is None or self.pocket is None:
             return f"{self.kind}{self._off_ball()}" if self.kind in _OFF_A_BALL else self.kind
         return words.pot(self.kind, self.ball, self.pocket, self.legs)
@@ -153,6 +160,7 @@ class Recommendation:
             "ball": self.ball,
             "pocket": self.pocket,
             "legs": [list(leg) for leg in self.legs],
+            "route": self.route,
             "play": self.play.to_dict(),
             "win_chance": self.win_chance,
             "error": self.error,
@@ -167,8 +175,11 @@ class Recommendation:
         strike = self.play.strike
         how = words.strike(strike.speed, strike.side, strike.height, strike.elevation or 0.0)
         place = self.play.cue_ball
-        return f"{self.aim}, {how}" + (
-            "" if place is None else f", cue ball at {words.place(place)} m"
+        system = self.route and self.route.system
+        return (
+            f"{self.aim}, {how}"
+            + (f"; {system}" if system else "")
+            + ("" if place is None else f", cue ball at {words.place(place)} m")
         )
 
 
