@@ -3,6 +3,7 @@
  * and for sites that serve the `.wasm` file themselves.
  */
 import { bits, boolean, json, known, named, numbers, text, whole } from "./arguments.ts";
+import type { CaromRoute, DiamondReading } from "./carom-route.ts";
 import type { BreakOptions, Engine, RollingBand, RollingOptions } from "./engine.ts";
 import { CaromError, type Refusal, refusalOf, refuse } from "./error.ts";
 import { FRAME_FORMAT, replay } from "./frame-record.ts";
@@ -52,6 +53,7 @@ import {
 import { warnOnce } from "./warn.ts";
 import { WasmPlayer } from "./wasm-player.ts";
 
+export * from "./carom-route.ts";
 export * from "./engine.ts";
 export * from "./error.ts";
 export * from "./match.ts";
@@ -614,6 +616,20 @@ class WasmTrace implements Trace {
       throw new RangeError(`the tolerance ${tolerance} m is out of range; write one above 0`);
     }
     return trace.polyline(ball, tolerance);
+  }
+
+  countedTouches(): readonly (readonly [event: number, ball: string | null])[] {
+    return JSON.parse(this.#handle.object.countedTouches()) as [number, string | null][];
+  }
+
+  diamondReading(ball: number, event?: number): DiamondReading | null {
+    const found = this.#handle.object.diamondReading(ball, event);
+    return found === undefined ? null : (JSON.parse(found) as DiamondReading);
+  }
+
+  caromRoute(): CaromRoute | null {
+    const found = this.#handle.object.caromRoute();
+    return found === undefined ? null : (JSON.parse(found) as CaromRoute);
   }
 
   free() {

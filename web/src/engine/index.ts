@@ -2,6 +2,7 @@ import { load as loadFrom } from "./core.ts";
 import embedded from "./pkg/embedded.js";
 import type { Engine } from "./engine.ts";
 
+export * from "./carom-route.ts";
 export * from "./engine.ts";
 export * from "./error.ts";
 export * from "./match.ts";

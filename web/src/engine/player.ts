@@ -1,5 +1,6 @@
 /** Players: programs that answer the requests of a frame. The data is that of Python's `Player`, key by key. */
 
+import type { CaromRoute } from "./carom-route.ts";
 import type { Choice, Frame, PlannedPlay } from "./rules.ts";
 import type { Noise, PocketName, Point } from "./types.ts";
 
@@ -93,6 +94,8 @@ export interface Recommendation {
   readonly pocket: PocketName | null;
   /** The balls on the way to the pocket, the cue ball first, each with its number of cushions. */
   readonly legs: readonly (readonly [ball: string, cushions: number])[];
+  /** The route of a carom; null for another play. The caroms of an analysis have one pattern each. */
+  readonly route: CaromRoute | null;
   readonly play: PlannedPlay;
   /** The estimated probability that the player wins the frame, and its standard error from the samples. */
   readonly win_chance: number;

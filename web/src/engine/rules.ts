@@ -119,6 +119,18 @@ export interface FrameState {
 }
 
 /** The referee's ruling after a shot or a choice. */
+/** What a referee counts in a game without pockets. */
+export interface CaromCount {
+  /** Object balls that the cue ball touched: 2 for two and more. */
+  readonly balls: number;
+  /** Cushions that it touched before the second of them, or in the whole shot if it touched fewer than two. */
+  readonly cushions: number;
+  /** Cushions that the shot needs. */
+  readonly needed: number;
+  /** Whether the balls stayed in a corner's zone, so that the carom does not count. */
+  readonly stayed: boolean;
+}
+
 export interface Ruling {
   readonly legal: boolean;
   /** `what` is the foul as text; `rule` its number in the rule book, or empty. */
@@ -129,6 +141,8 @@ export interface Ruling {
   readonly spotted: readonly string[];
   /** Whether the balls were racked again. */
   readonly racked: boolean;
+  /** Only for shots of games without pockets. */
+  readonly carom?: CaromCount;
 }
 
 /** The facts of a game. */

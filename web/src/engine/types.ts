@@ -4,10 +4,11 @@
  * from the slate.
  */
 
+import type { CaromRoute, DiamondReading } from "./carom-route.ts";
 import type { Refusal } from "./error.ts";
+import type { PocketName, Point, RailName, Vector } from "./places.ts";
 
-export type Point = readonly [x: number, y: number];
-export type Vector = readonly [x: number, y: number, z: number];
+export type { PocketName, Point, RailName, Vector } from "./places.ts";
 
 /** A `carom-shot/1`. Its JSON Schema is `Engine.schema("shot")`. */
 export interface ShotFile {
@@ -120,12 +121,6 @@ export interface BallInfo {
   /** Centre at time 0, m. */
   readonly position: Vector;
 }
-
-export type RailName =
-  "bottom" | "top" | "left" | "right" | "left-lower" | "left-upper" | "right-lower" | "right-upper";
-
-export type PocketName =
-  "bottom-left" | "bottom-right" | "left" | "right" | "top-left" | "top-right";
 
 export type CushionPart = "nose" | "facing" | "point" | "top" | "liner";
 
@@ -556,6 +551,18 @@ export interface Trace {
    * @throws RangeError for an unknown ball, or a tolerance that is not above 0.
    */
   polyline(ball: number, tolerance: number): Float64Array;
+  /**
+   * What a diamond system says of the way of ball number `ball` behind event number `event`, or from the beginning,
+   * up to its contact with another ball; null if no system fits, and on tables without sights.
+   */
+  diamondReading(ball: number, event?: number): DiamondReading | null;
+  /** The route of the cue ball to its second object ball; null if it meets fewer than two. */
+  caromRoute(): CaromRoute | null;
+  /**
+   * What the cue ball touches up to its second object ball, as a referee of carom counts it: the number of each event
+   * with the ball, or null for a cushion.
+   */
+  countedTouches(): readonly (readonly [event: number, ball: string | null])[];
   /** Frees the memory at once instead of at garbage collection. The object is unusable afterwards. */
   free(): void;
 }

@@ -2,6 +2,7 @@
 
 export { LOUPE } from "./render/stage.ts";
 export { look, type Look } from "./balls/look.ts";
+export { clothColor } from "./theme-colors.ts";
 export { type Density, RAMP } from "./overlay/density.ts";
 export type {
   Area,

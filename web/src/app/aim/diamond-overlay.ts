@@ -1,13 +1,13 @@
 /** The overlay of a diamond system: its numbers at the diamonds, its target, and the engine's. */
 
 import "./diamond-overlay.css";
-import { CaromError, type Geometry, type Point } from "../../engine/index.ts";
+import { CaromError, type DiamondReading, type Geometry, type Point } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText, svg } from "../common/dom.ts";
 import { shownGuide } from "../document/guide-extent.ts";
 import type { Store } from "../document/store.ts";
 import { firstContactEvent } from "../pot/first-contact.ts";
-import { type Reading, readingOf } from "../pot/diamond-systems.ts";
+import { readingInWords } from "../pot/diamond-words.ts";
 import { decimal, t } from "../words/translate.ts";
 
 /** Distance (m) of the numbers behind the sights, and before the cushion for those of a target. */
@@ -17,16 +17,13 @@ const BEFORE = 0.14;
 /** Radius of the marks, CSS pixels. */
 const MARK = 7;
 
-/** A difference (diamonds) that is none. */
-const EQUAL = 0.05;
-
 /** @param stage The part of the page with the table. */
 export function mountDiamonds(stage: HTMLElement, store: Store, context: Context): void {
   const picture = svg("svg", { "aria-hidden": "true" });
   const text = h("p", { role: "status" });
   const root = h("div", { class: "diamonds", hidden: true }, picture, text);
   document.getElementById("table")!.after(root);
-  let reading: Reading | null = null;
+  let reading: DiamondReading | null = null;
   /** Where the table was in the picture when the overlay was drawn. */
   let drawn = "";
 
@@ -42,7 +39,7 @@ export function mountDiamonds(stage: HTMLElement, store: Store, context: Context
     root.hidden = !wanted || shownGuide(store) !== "full";
     if (root.hidden) return;
     reading = readingNow(store, context);
-    setText(text, reading ? inWords(reading) : t("diamonds.none"));
+    setText(text, reading ? readingInWords(reading) : t("diamonds.none"));
     drawn = "";
     requestAnimationFrame(follow);
   }
@@ -84,7 +81,7 @@ export function mountDiamonds(stage: HTMLElement, store: Store, context: Context
 
 /** The numbers, the line and the marks of a reading. @param on Where a place is in the picture. */
 function shapes(
-  { numbers, places }: Reading,
+  { numbers, places }: DiamondReading,
   { size }: Geometry,
   on: (place: Point) => Point | null,
 ): SVGElement[] {
@@ -118,7 +115,7 @@ function aside([x, y]: Point, [width, length]: Point, by: number): Point {
 }
 
 /** The present line: that of the cue ball alone after cushions, or of the object ball of a bank. */
-function readingNow(store: Store, { engine }: Context): Reading | null {
+function readingNow(store: Store, { engine }: Context): DiamondReading | null {
   const { trace } = store.ghost;
   const { struck } = store.shot;
   if (!trace || struck === null) return null;
@@ -126,18 +123,15 @@ function readingNow(store: Store, { engine }: Context): Reading | null {
   const kicks = trace.outcome.rails_before_first_contact.length > 0;
   if (contact && !kicks) {
     const id = contact.event.balls[contact.other]!;
-    return readingOf(
-      trace,
-      trace.shot.balls.findIndex((ball) => ball.id === id),
-      contact.event,
-    );
+    const ball = trace.shot.balls.findIndex((one) => one.id === id);
+    return trace.diamondReading(ball, trace.events.indexOf(contact.event));
   }
   const { shot } = store.document;
   const balls = shot.balls.filter(({ id }) => id === shot.strike.ball);
   try {
     const alone = engine.shot({ ...shot, balls });
     const path = alone.simulate();
-    const reading = readingOf(path, 0);
+    const reading = path.diamondReading(0);
     path.free();
     alone.free();
     return reading;
@@ -145,14 +139,4 @@ function readingNow(store: Store, { engine }: Context): Reading | null {
     if (!(error instanceof CaromError)) throw error;
     return null;
   }
-}
-
-function inWords({ system, from, over, predicted, actual }: Reading): string {
-  const one = (number: number) => decimal(number, 1);
-  const numbers = { from: one(from), over: one(over), predicted: one(predicted) };
-  const said = t(`diamonds.${system}`, numbers);
-  if (actual === null) return t("diamonds.not-there", { said });
-  const difference = Math.abs(actual - predicted);
-  if (difference < EQUAL) return t("diamonds.equal", { said });
-  return t("diamonds.actual", { said, actual: one(actual), difference: one(difference) });
 }

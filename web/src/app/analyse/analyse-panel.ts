@@ -26,6 +26,8 @@ import {
   whatText,
   whyText,
 } from "./analyse-words.ts";
+import { routeText } from "../pot/carom-words.ts";
+import { readingInWords } from "../pot/diamond-words.ts";
 import { decimal, t } from "../words/translate.ts";
 
 /** Time (ms) without a change of the position after which it is searched: a drag moves a ball every frame. */
@@ -172,7 +174,7 @@ class LinesPanel {
     index: number,
     all: readonly Recommendation[],
   ): HTMLElement {
-    const { play, kept, foul, win_chance: win } = recommendation;
+    const { play, kept, foul, route, win_chance: win } = recommendation;
     const { geometry, balls } = this.#store.shot;
     const cue = this.#store.document.shot.strike.ball;
     // A single player keeps the turn with every shot, makes no foul and wins nothing: there the pot counts.
@@ -202,7 +204,9 @@ class LinesPanel {
         "span",
         { class: "said" },
         h("strong", {}, whatText(recommendation)),
+        route && h("span", { class: "route" }, routeText(route)),
         h("span", { class: "hint" }, strikeText(play.strike)),
+        route?.system && h("span", { class: "hint" }, readingInWords(route.system)),
         facts,
         h("span", { class: "unseen" }, leaveText(recommendation)),
       ),

@@ -4,6 +4,7 @@ import type { Recommendation, Strike } from "../../engine/index.ts";
 import { powerWord } from "../aim/power-bar.ts";
 import { ballName, pocketName } from "../common/shot-words.ts";
 import { TIP } from "../common/units.ts";
+import { patternText } from "../pot/carom-words.ts";
 import { interval } from "./plan-orders.ts";
 import { capital, decimal, named, paragraph, t } from "../words/translate.ts";
 
@@ -19,7 +20,8 @@ export function recommendationText(recommendation: Recommendation): string {
 }
 
 /** What a recommendation is meant to do. */
-export function whatText({ kind, ball, pocket, legs, play }: Recommendation): string {
+export function whatText({ kind, ball, pocket, legs, play, route }: Recommendation): string {
+  if (route) return patternText(route);
   if (ball !== null && pocket !== null) {
     const names = { ball: ballName(ball), pocket: pocketName(pocket) };
     const through = legs

@@ -1,7 +1,7 @@
 /** Where the cue ball stops after a recommendation: an ellipse on the cloth, and a small picture of the table. */
 
 import type { BallInfo, Geometry, Point, Recommendation } from "../../engine/index.ts";
-import { look } from "../../viewer/index.ts";
+import { clothColor, look } from "../../viewer/index.ts";
 import { svg } from "../common/dom.ts";
 
 /** Semi-axes of the ellipse in standard deviations: two thirds of the variants stop within it. */
@@ -64,7 +64,7 @@ export function ellipse([x, y]: Point, [xx, xy, yy]: readonly [number, number, n
  * @param isLying Whether the length of the table is across the screen.
  */
 export function leavePicture(
-  { size, pockets }: Geometry,
+  { size, pockets, physics }: Geometry,
   balls: readonly BallInfo[],
   cueBall: string,
   recommendation: Recommendation,
@@ -92,6 +92,7 @@ export function leavePicture(
     { class: "leave", viewBox: [-MARGIN, -MARGIN, across, down].join(" "), "aria-hidden": "true" },
     svg("rect", {
       class: "cloth",
+      fill: clothColor(physics),
       x: -MARGIN,
       y: -MARGIN,
       width: across,

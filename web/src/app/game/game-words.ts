@@ -2,6 +2,7 @@
 
 import type {
   Call,
+  CaromCount,
   Choice,
   Engine,
   FrameState,
@@ -119,11 +120,24 @@ function moveInWords({ move, player, ruling, potted }: PlayedMove, names: Pair<s
   if (!ruling.legal) {
     return t("ruling.foul", { name, fouls: ruling.fouls.map(foulInWords).join(t("ruling.gap")) });
   }
+  if (ruling.carom) return caromInWords(ruling.carom, name);
   const kind = move.play.call?.kind;
   const said =
     potted.length === 0 ? t("ruling.nothing") : t("ruling.pocketed", { balls: listed(potted) });
   const called = kind === "safety" || kind === "push-out" ? kind : "legal";
   return t(`ruling.${called}`, { name, potted: said });
+}
+
+/** What the referee counted in a legal shot of a game without pockets. */
+function caromInWords({ balls, cushions: count, needed, stayed }: CaromCount, name: string) {
+  if (balls === 0) return t("ruling.carom.no-ball", { name });
+  if (stayed) return t("ruling.carom.stayed", { name });
+  const said = balls === 1 ? "one-ball" : count < needed ? "short" : "both";
+  if (said === "short") return t("ruling.carom.short", { name, count });
+  // Where no cushion is needed and none was touched, their number is not worth a word.
+  return needed === 0 && count === 0
+    ? t(`ruling.carom.${said}`, { name })
+    : t(`ruling.carom.${said}-cushions`, { name, count });
 }
 
 function foulInWords({ what, rule }: Ruling["fouls"][number]): string {

@@ -8,7 +8,7 @@ import { mark } from "./event-looks.ts";
 import { latest } from "./event-moments.ts";
 import type { Show } from "./replay-state.ts";
 import { ballName } from "../common/shot-words.ts";
-import { eventInWords } from "./replay-words.ts";
+import { tracedEvent } from "./carom-touches.ts";
 import { decimal, t } from "../words/translate.ts";
 
 export function mountEvents(root: HTMLElement, store: Store): Show {
@@ -30,7 +30,7 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
 
   const fill = (trace: Trace): void => {
     setText(heading, t("events.count", { count: trace.events.length }));
-    body.replaceChildren(...trace.events.map((event) => rowOf(store, event)));
+    body.replaceChildren(...trace.events.map((event) => rowOf(store, trace, event)));
     current = [];
   };
 
@@ -66,9 +66,9 @@ function head(): HTMLElement {
 }
 
 /** The row of an event; a press goes to its time. */
-function rowOf(store: Store, event: TraceEvent): HTMLElement {
+function rowOf(store: Store, trace: Trace, event: TraceEvent): HTMLElement {
   const onclick = () => seek(store, event.time);
-  const words = h("button", { type: "button", class: "go", onclick }, eventInWords(event));
+  const words = h("button", { type: "button", class: "go", onclick }, tracedEvent(trace, event));
   const kind = h("span", { class: "kind", title: t(`kind.${event.type}`) }, mark(event.type));
   const time = h("td", { class: "time" }, decimal(event.time, 3));
   return h("tr", {}, time, h("td", {}, h("div", { class: "event" }, kind, words)));

@@ -4,9 +4,9 @@ import type { Motion, TraceEvent } from "../../engine/index.ts";
 import { ballName, pocketName, railName } from "../common/shot-words.ts";
 import { decimal, list, t } from "../words/translate.ts";
 
-/** An event as text, for the list of events and the slider. */
-export function eventInWords(event: TraceEvent): string {
-  const names = event.balls.map(ballName);
+/** An event as text, for the list of events and the slider. @param name The name of a ball. */
+export function eventInWords(event: TraceEvent, name: (id: string) => string = ballName): string {
+  const names = event.balls.map(name);
   const [ball = ""] = names;
   switch (event.type) {
     case "cue-strike":

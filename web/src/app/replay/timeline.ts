@@ -18,7 +18,8 @@ import {
 } from "./replay-control.ts";
 import { LANES, LOOKS } from "./event-looks.ts";
 import { latest } from "./event-moments.ts";
-import { eventInWords, seconds } from "./replay-words.ts";
+import { seconds } from "./replay-words.ts";
+import { countText, tracedEvent } from "./carom-touches.ts";
 import { t } from "../words/translate.ts";
 
 const ICONS = {
@@ -57,7 +58,8 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
   const { slider, marks, now, tip } = scrubber(store);
   const present = h("span");
   const whole = h("span", { class: "whole" });
-  const clock = h("p", { class: "clock" }, present, whole);
+  const count = h("span", { class: "count" });
+  const clock = h("p", { class: "clock" }, present, whole, count);
   const eventText = h("p", { class: "said" });
   const pace = new Pace();
 
@@ -100,7 +102,7 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
     if (!trace) return;
     const moment = latest(momentsOf(trace), time);
     const events = moment?.events.map((index) => trace.events[index]!) ?? [];
-    const words = events.map(eventInWords).join(t("ruling.gap"));
+    const words = events.map((event) => tracedEvent(trace, event)).join(t("ruling.gap"));
     const ended = time >= trace.duration;
     showPlay(play, playing, ended);
     slider.max = String(trace.duration);
@@ -113,6 +115,7 @@ export function mountTimeline(root: HTMLElement, store: Store, context: Context)
     setText(present, times.time);
     setText(whole, t("replay.whole", { duration: times.duration }));
     setText(eventText, moment ? at(moment.time, words) : "");
+    setText(count, countText(trace, time));
   }
 }
 
@@ -198,10 +201,11 @@ function scrubber(store: Store): Scrubber {
   });
   const tip = h("div", { class: "event-tip", hidden: true, "aria-hidden": "true" });
   marks.addEventListener("pointermove", (event) => {
+    const { trace } = store.session.replay;
     const found = nearest(marks, store.session, event);
     tip.hidden = !found;
-    if (!found) return;
-    setText(tip, at(found.event.time, eventInWords(found.event)));
+    if (!found || !trace) return;
+    setText(tip, at(found.event.time, tracedEvent(trace, found.event)));
     const box = marks.getBoundingClientRect();
     const half = tip.offsetWidth / 2;
     const x = found.share * box.width;

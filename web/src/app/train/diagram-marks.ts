@@ -1,7 +1,7 @@
 /** What the picture of a drill's layout consists of, in mm on the table: x is along the table, y across it. */
 
 import type { Engine, PocketName, Point } from "../../engine/index.ts";
-import { look } from "../../viewer/index.ts";
+import { clothColor, look } from "../../viewer/index.ts";
 import type { Area, Step } from "./drills/index.ts";
 import { type Box, freest, numberBox, type Obstacle } from "./diagram-labels.ts";
 import { layoutOf, type Setting } from "./drill-layout.ts";
@@ -67,7 +67,17 @@ export function marksOf(
         rx: 0.6 * rail,
       },
     ],
-    ["rect", { class: "diagram-cloth", x: 0, y: 0, width: length, height: width }],
+    [
+      "rect",
+      {
+        class: "diagram-cloth",
+        fill: clothColor(cloth.geometry.physics),
+        x: 0,
+        y: 0,
+        width: length,
+        height: width,
+      },
+    ],
     ...cloth.geometry.pockets.map(({ center, radius }): Mark => [
       "circle",
       { class: "diagram-pocket", ...middle(center), r: 1000 * radius },

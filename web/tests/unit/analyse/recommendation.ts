@@ -25,6 +25,7 @@ export function pot(given: Given = {}): Recommendation {
       ["cue", 0],
       ["9", 0],
     ],
+    route: null,
     play: { strike: { speed: 2, azimuth: 1, elevation: 0.03, side: 0, height: 0 } },
     win_chance: kept * ifKept + (1 - kept) * ifMissed,
     error: given.error ?? 0.001,

@@ -117,6 +117,28 @@ describe("a ruling", () => {
     expect(rulingInWords(many, NAMES)).toMatch(/4 balls are spotted/);
   });
 
+  test.each([
+    [{ balls: 0, cushions: 2, needed: 3 }, 0, "Ann: no ball touched, no point."],
+    [{ balls: 1, cushions: 4, needed: 3 }, 0, "Ann: only one ball touched, 4 cushions, no point."],
+    [{ balls: 1, cushions: 0, needed: 0 }, 0, "Ann: only one ball touched, no point."],
+    [{ balls: 2, cushions: 2, needed: 3 }, 0, "Ann: 2 cushions before the second ball, no point."],
+    [{ balls: 2, cushions: 0, needed: 3 }, 0, "Ann: 0 cushions before the second ball, no point."],
+    [
+      { balls: 2, cushions: 4, needed: 3 },
+      1,
+      "Ann: both balls touched, 4 cushions before the second. Ann scores 1 point.",
+    ],
+    [{ balls: 2, cushions: 0, needed: 0 }, 1, "Ann: both balls touched. Ann scores 1 point."],
+    [
+      { balls: 2, cushions: 0, needed: 0, stayed: true },
+      0,
+      "Ann: both balls touched, but they stayed in the corner, no point.",
+    ],
+  ])("counts balls and cushions in carom: %o", (carom, scored, words) => {
+    const ruling = { carom: { stayed: false, ...carom }, points: [scored, 0] as const };
+    expect(rulingInWords(step(ruling), NAMES)).toBe(words);
+  });
+
   test("names a choice, a safety, and the end of the frame", () => {
     expect(rulingInWords(step({}, { move: { choice: "pass-back" } }), NAMES)).toBe(
       "Ann: let Bea shoot.",

@@ -1,6 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { load, type Point, type ShotFile } from "../../../src/engine/index.ts";
-import { type Reading, readingOf } from "../../../src/app/pot/diamond-systems.ts";
+import { type DiamondReading, load, type Point, type ShotFile } from "../../../src/engine/index.ts";
 
 const engine = await load();
 
@@ -33,7 +32,7 @@ function read(
   [from, to]: readonly [Point, Point],
   side: number,
   [across, along]: Turned = AS_IT_IS,
-): Reading | null {
+): DiamondReading | null {
   const { geometry } = traced(cloth, [0.5, 0.5], 0, 0).shot;
   const [width, length] = geometry.size!;
   const unit = length / 8;
@@ -59,7 +58,7 @@ function read(
     if (beside(middle) < 0) low = middle;
     else high = middle;
   }
-  return readingOf(traced(cloth, start, (low + high) / 2, spin), 0);
+  return traced(cloth, start, (low + high) / 2, spin).diamondReading(0);
 }
 
 /** The sights of a corner-five shot, as `corner_five_line` of the validation has them. */
@@ -188,8 +187,8 @@ test("the object ball of a bank has a reading from its contact on", () => {
     strike: { ball: "cue", speed: 2.5, azimuth: Math.atan2(-0.2, 0.25) },
   };
   const trace = engine.shot(file).simulate();
-  const contact = trace.events.find(({ type }) => type === "ball-collision")!;
-  const found = readingOf(trace, 1, contact)!;
+  const contact = trace.events.findIndex(({ type }) => type === "ball-collision");
+  const found = trace.diamondReading(1, contact)!;
   expect(found.system).toBe("two-to-one");
   expect(found.predicted).toBeCloseTo(2 * found.over - found.from, 9);
 });
@@ -202,5 +201,5 @@ test("a ball that meets no cushion has no reading", () => {
     balls: [cue],
     strike: { ball: "cue", speed: 0.3, azimuth: Math.PI / 2 },
   };
-  expect(readingOf(engine.shot(file).simulate(), 0)).toBeNull();
+  expect(engine.shot(file).simulate().diamondReading(0)).toBeNull();
 });

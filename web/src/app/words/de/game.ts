@@ -91,6 +91,22 @@ export const texts: Translation<typeof en.game> = {
   "ruling.push-out": "{name}: gültiger Stoß, Push-out, {potted}",
   "ruling.nothing": "nichts versenkt",
   "ruling.pocketed": "versenkt: {balls}",
+  "ruling.carom.no-ball": "{name}: keine Kugel getroffen, kein Punkt",
+  "ruling.carom.one-ball": "{name}: nur eine Kugel getroffen, kein Punkt",
+  "ruling.carom.one-ball-cushions": {
+    one: "{name}: nur eine Kugel getroffen, {count} Bande, kein Punkt",
+    other: "{name}: nur eine Kugel getroffen, {count} Banden, kein Punkt",
+  },
+  "ruling.carom.short": {
+    one: "{name}: {count} Bande vor der zweiten Kugel, kein Punkt",
+    other: "{name}: {count} Banden vor der zweiten Kugel, kein Punkt",
+  },
+  "ruling.carom.stayed": "{name}: beide Kugeln getroffen, aber sie blieben in der Ecke, kein Punkt",
+  "ruling.carom.both": "{name}: beide Kugeln getroffen",
+  "ruling.carom.both-cushions": {
+    one: "{name}: beide Kugeln getroffen, {count} Bande vor der zweiten",
+    other: "{name}: beide Kugeln getroffen, {count} Banden vor der zweiten",
+  },
   "ruling.balls": { one: "{count} Kugel", other: "{count} Kugeln" },
   "ruling.foul": "Foul von {name}: {fouls}",
   "ruling.foul-rule": "{foul} ({rule})",

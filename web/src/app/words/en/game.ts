@@ -87,6 +87,22 @@ export const texts = {
   "ruling.push-out": "{name}: a legal shot, a push-out, {potted}",
   "ruling.nothing": "nothing pocketed",
   "ruling.pocketed": "{balls} pocketed",
+  "ruling.carom.no-ball": "{name}: no ball touched, no point",
+  "ruling.carom.one-ball": "{name}: only one ball touched, no point",
+  "ruling.carom.one-ball-cushions": {
+    one: "{name}: only one ball touched, {count} cushion, no point",
+    other: "{name}: only one ball touched, {count} cushions, no point",
+  },
+  "ruling.carom.short": {
+    one: "{name}: {count} cushion before the second ball, no point",
+    other: "{name}: {count} cushions before the second ball, no point",
+  },
+  "ruling.carom.stayed": "{name}: both balls touched, but they stayed in the corner, no point",
+  "ruling.carom.both": "{name}: both balls touched",
+  "ruling.carom.both-cushions": {
+    one: "{name}: both balls touched, {count} cushion before the second",
+    other: "{name}: both balls touched, {count} cushions before the second",
+  },
   "ruling.balls": { one: "{count} ball", other: "{count} balls" },
   "ruling.foul": "Foul by {name}: {fouls}",
   "ruling.foul-rule": "{foul} ({rule})",

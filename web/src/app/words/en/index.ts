@@ -1,6 +1,7 @@
 /** The files of texts: a new one is added here, and each language has a file of the same name. */
 
 export { texts as aim } from "./aim.ts";
+export { texts as carom } from "./carom.ts";
 export { texts as drills } from "./drills.ts";
 export { texts as analyse } from "./analyse.ts";
 export { texts as game } from "./game.ts";

@@ -1,0 +1,33 @@
+/** Caroms: patterns, routes, and the count of balls and cushions. */
+export const texts = {
+  "carom.heading": "{pattern}, {ball} first",
+  "carom.pattern.direct": "Direct",
+  "carom.pattern.one-cushion": "One cushion",
+  "carom.pattern.two-cushions": "Two cushions",
+  "carom.pattern.around-the-table": "Around the table",
+  "carom.pattern.double-the-rail": "Double the rail",
+  "carom.pattern.across-the-table": "Opposite rails",
+  "carom.pattern.across-then-corner": "Opposite rails, then the corner",
+  "carom.pattern.corner-then-across": "The corner, then opposite rails",
+  "carom.pattern.ticky": "Ticky",
+  "carom.pattern.cushion-first": "One cushion first",
+  "carom.pattern.umbrella": "Umbrella: two cushions first",
+  "carom.pattern.cushions-first": "Three cushions first",
+  "carom.pattern.same-rail": "The same rail in a row",
+
+  "carom.met.off": "off {ball}",
+  "carom.met-hit.off": "{hit} off {ball}",
+  "carom.met.on": "onto {ball}",
+  "carom.met-hit.on": "{hit} on {ball}",
+  "carom.cushion.long": "long",
+  "carom.cushion.short": "short",
+  "carom.side.none": "no side",
+  "carom.side.running": "running side",
+  "carom.side.reverse": "reverse side",
+
+  "carom.event.cushion": "{event}, cushion {number}",
+  "carom.event.first": "{event}, first ball",
+  "carom.event.second": "{event}, second ball",
+  "carom.balls": { one: "{count} ball", other: "{count} balls" },
+  "carom.cushions": { one: "{count} cushion", other: "{count} cushions" },
+} as const;
