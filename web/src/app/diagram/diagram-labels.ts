@@ -1,6 +1,6 @@
 /** Where the numbers of a diagram stand: clear of its circles, lines, balls and other numbers. */
 
-import { length } from "./drill-places.ts";
+import { length } from "../common/length.ts";
 
 /** A rectangle in the picture, mm on the table. */
 export interface Box {

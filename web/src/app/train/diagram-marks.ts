@@ -1,35 +1,34 @@
 /** What the picture of a drill's layout consists of, in mm on the table: x is along the table, y across it. */
 
 import type { Engine, PocketName, Point } from "../../engine/index.ts";
-import { clothColor, look } from "../../viewer/index.ts";
+import { look } from "../../viewer/index.ts";
 import type { Area, Step } from "./drills/index.ts";
-import { type Box, freest, numberBox, type Obstacle } from "./diagram-labels.ts";
+import { type Box, freest, numberBox, type Obstacle } from "../diagram/diagram-labels.ts";
+import {
+  BALL_NUMBER,
+  bedMarks,
+  diamonds,
+  DIRECTIONS,
+  edgesOf,
+  lines,
+  type Mark,
+  markings,
+  middle,
+  numeral,
+  placesAround,
+  turned,
+} from "../diagram/table-marks.ts";
 import { layoutOf, type Setting } from "./drill-layout.ts";
 import { type Cloth, clothOf, pointOf, type Region, regionOf } from "./drill-places.ts";
 
-/** An element of the picture: its tag, its attributes, and the number that it shows. */
-export type Mark = readonly [
-  tag: "circle" | "rect" | "path" | "text",
-  attributes: Readonly<Record<string, string | number>>,
-  number?: string,
-];
-
-/** Length of a numeral beside the diamonds, mm on the table. */
-export const NUMERAL = 95;
-
-/** Size of the numbers of balls and areas, mm on the table. */
-const BALL_NUMBER = 85;
+/** Size of the numbers of areas, mm on the table. */
 const POINTS = 75;
 
 /** Widths of lines in train.css, and the distance of a pocket from the ring around it, mm on the table. */
 const AREA_LINE = 9;
 const BALL_LINE = 5;
-const MARKING_LINE = 7;
 const GOAL_LINE = 26;
 const GOAL = 22;
-
-/** Radius of a spot, mm on the table. */
-const SPOT = 10;
 
 /** Everything in the picture, from the lowest to the highest. */
 export function marksOf(
@@ -40,7 +39,6 @@ export function marksOf(
   const { drill, step } = setting;
   const cloth = clothOf(engine, drill.table);
   const [width, length] = cloth.size.map((metres) => 1000 * metres) as [number, number];
-  const rail = 1000 * (cloth.geometry.rail_width ?? 0.15);
   const goals = goalPockets(step);
   const found = areas(cloth, step);
   const shown = balls(engine, setting, enlarged);
@@ -56,32 +54,7 @@ export function marksOf(
     ...shown.map(({ cx, cy, r }): Obstacle => ({ kind: "disc", cx, cy, r, stroke: BALL_LINE })),
   ];
   return [
-    [
-      "rect",
-      {
-        class: "diagram-frame",
-        x: -rail,
-        y: -rail,
-        width: length + 2 * rail,
-        height: width + 2 * rail,
-        rx: 0.6 * rail,
-      },
-    ],
-    [
-      "rect",
-      {
-        class: "diagram-cloth",
-        fill: clothColor(cloth.geometry.physics),
-        x: 0,
-        y: 0,
-        width: length,
-        height: width,
-      },
-    ],
-    ...cloth.geometry.pockets.map(({ center, radius }): Mark => [
-      "circle",
-      { class: "diagram-pocket", ...middle(center), r: 1000 * radius },
-    ]),
+    ...bedMarks(cloth),
     ...goals.map((name): Mark => {
       const { center, radius } = cloth.geometry.pockets.find((pocket) => pocket.name === name)!;
       return ["circle", { class: "diagram-goal", ...middle(center), r: 1000 * radius + GOAL }];
@@ -92,61 +65,6 @@ export function marksOf(
     ...shown.map(({ mark }) => mark),
     ...numbers(found, shown, obstacles),
   ];
-}
-
-/** The middle of a circle, in the picture. */
-function middle([x, y]: Point): { readonly cx: number; readonly cy: number } {
-  return { cx: Math.round(1e4 * y) / 10, cy: Math.round(1e4 * x) / 10 };
-}
-
-/** The diamonds of the rails, or the numbers of their places on a table without them. */
-function diamonds({ geometry, size, diamond }: Cloth, numbered: boolean): Mark[] {
-  const [width, length] = [1000 * size[0], 1000 * size[1]];
-  const setback = 1000 * (geometry.sights?.setback ?? (geometry.rail_width ?? 0.15) / 2);
-  const beyond = 1000 * (geometry.rail_width ?? 0.15) + 0.55 * NUMERAL;
-  const found: Mark[] = [];
-  const mark = (x: number, y: number) => {
-    if (!geometry.sights) return;
-    found.push(["circle", { class: "diagram-sight", cx: x, cy: y, r: 9 }]);
-  };
-  const number = (x: number, y: number, value: number) => {
-    if (!numbered) return;
-    found.push(numeral("diagram-number", [x, y], NUMERAL, String(value)));
-  };
-  for (let k = 0; k <= 8; k += 1) {
-    const x = 1000 * diamond[1] * k;
-    const isPocket = geometry.pockets.length > 0 && k % 4 === 0;
-    const isEnd = k % 8 === 0;
-    if (!isPocket && !isEnd) [-setback, width + setback].forEach((y) => mark(x, y));
-    number(x, -beyond, k);
-    number(x, width + beyond, k);
-  }
-  for (let k = 0; k <= 4; k += 1) {
-    const y = 1000 * diamond[0] * k;
-    if (k % 4 !== 0) [-setback, length + setback].forEach((x) => mark(x, y));
-    number(-beyond, y, k);
-    number(length + beyond, y, k);
-  }
-  return found;
-}
-
-/** Head string or baulk line, the D, and the spots. */
-function markings({ geometry, size }: Cloth): Mark[] {
-  const { head_string: line = null, d_radius: radius = null, spots = [] } = geometry.markings ?? {};
-  const found: Mark[] = [];
-  const at = (line ?? 0) * 1000;
-  const stroke = { class: "diagram-marking" };
-  if (line !== null) {
-    found.push(["path", { ...stroke, d: `M${at} 0V${1000 * size[0]}` }]);
-  }
-  if (radius !== null) {
-    const [r, y] = [1000 * radius, 500 * size[0]];
-    found.push(["path", { ...stroke, d: `M${at} ${y - r}A${r} ${r} 0 0 0 ${at} ${y + r}` }]);
-  }
-  for (const { position } of spots) {
-    found.push(["circle", { class: "diagram-spot", ...middle(position), r: SPOT }]);
-  }
-  return found;
 }
 
 /** An area as the picture shows it; `points` is null if it has none. */
@@ -218,32 +136,6 @@ function outlineOf(region: Region): readonly Obstacle[] {
   // A half disc counts as a whole one.
   const r = 1000 * region.radius;
   return [{ kind: "rim", ...middle(region.center), r, stroke: AREA_LINE }];
-}
-
-/** Head string, D and spots as obstacles. */
-function lines({ geometry, size }: Cloth): readonly Obstacle[] {
-  const { head_string: line = null, d_radius: radius = null, spots = [] } = geometry.markings ?? {};
-  const x = 1000 * (line ?? 0);
-  const box = { left: x, top: 0, right: x, bottom: 1000 * size[0] };
-  const d = { cx: x, cy: 500 * size[0], r: 1000 * (radius ?? 0) };
-  return [
-    ...(line === null ? [] : [{ kind: "box", box, stroke: MARKING_LINE } as const]),
-    ...(radius === null ? [] : [{ kind: "rim", ...d, stroke: MARKING_LINE } as const]),
-    ...spots.map(
-      ({ position }) => ({ kind: "disc", ...middle(position), r: SPOT, stroke: 0 }) as const,
-    ),
-  ];
-}
-
-/** The four sides of a rectangle as lines. */
-function edgesOf(box: Box, stroke: number): readonly Obstacle[] {
-  const { left, top, right, bottom } = box;
-  return [
-    { ...box, right: left },
-    { ...box, left: right },
-    { ...box, bottom: top },
-    { ...box, top: bottom },
-  ].map((side) => ({ kind: "box", box: side, stroke }));
 }
 
 /** A ball as the picture shows it; `number` is null if it has none. */
@@ -318,30 +210,4 @@ function placesIn(region: Region): readonly Point[] {
     const r = 1000 * region.radius - INSET;
     return [cx + r * x, cy + r * y];
   });
-}
-
-/** Number of directions in which a free place is searched. */
-const DIRECTIONS = 24;
-
-/** Distances of the middle of a number from the edge of its ball, mm on the table. */
-const AWAY = [55, 70, 85, 100, 120, 140];
-
-/** Places around a ball: above it, then to the sides, then farther away. */
-function placesAround({ cx, cy, r }: Omit<ShownBall, "number">): readonly Point[] {
-  return AWAY.flatMap((away) => turned((x, y) => [cx + (r + away) * x, cy + (r + away) * y]));
-}
-
-/** A point for every direction: first upwards, then to both sides in turn. */
-function turned(at: (x: number, y: number) => Point): readonly Point[] {
-  return Array.from({ length: DIRECTIONS }, (_, k) => {
-    const angle = (Math.PI * (k % 2 === 0 ? k : -(k + 1))) / DIRECTIONS;
-    return at(Math.sin(angle), -Math.cos(angle));
-  });
-}
-
-/** A number with its middle at a point. */
-function numeral(name: string, [x, y]: Point, size: number, text: string): Mark {
-  const round = (number: number) => Math.round(10 * number) / 10;
-  const attributes = { class: name, x: round(x), y: round(y), "font-size": size };
-  return ["text", { ...attributes, "text-anchor": "middle", dy: "0.36em" }, text];
 }

@@ -3,7 +3,8 @@
 import type { Engine } from "../../engine/index.ts";
 import { svg } from "../common/dom.ts";
 import type { Setting } from "./drill-layout.ts";
-import { marksOf, NUMERAL } from "./diagram-marks.ts";
+import { NUMERAL } from "../diagram/table-marks.ts";
+import { marksOf } from "./diagram-marks.ts";
 import { clothOf } from "./drill-places.ts";
 
 export interface DiagramOptions {

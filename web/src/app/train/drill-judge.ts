@@ -3,7 +3,8 @@
 import type { Point, Trace } from "../../engine/index.ts";
 import { STRIDE } from "../../engine/types.ts";
 import type { Condition, Drill, RunGoal, ShotGoal, Step } from "./drills/index.ts";
-import { type Cloth, distanceTo, length, regionOf } from "./drill-places.ts";
+import { length } from "../common/length.ts";
+import { type Cloth, distanceTo, regionOf } from "./drill-places.ts";
 
 /** Aims at a ball that are tested for a free path: from one edge to the other. */
 const AIMS = 41;

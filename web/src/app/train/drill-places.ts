@@ -2,6 +2,7 @@
 
 import type { Engine, Geometry, Point } from "../../engine/index.ts";
 import { toRadians } from "../common/angles.ts";
+import { length } from "../common/length.ts";
 import type { Area, Diamonds, Place, Step } from "./drills/index.ts";
 
 /** What places are computed from. */
@@ -92,9 +93,4 @@ export function distanceTo(region: Region, [x, y]: Point): number {
   const [cx, cy] = region.center;
   const outside = Math.max(length(x - cx, y - cy) - region.radius, 0);
   return region.kind === "disc" ? outside : Math.max(outside, y - cy);
-}
-
-/** Of a vector. Unlike `Math.hypot` its bits are the same in every browser. */
-export function length(x: number, y: number): number {
-  return Math.sqrt(x * x + y * y);
 }

@@ -3,7 +3,8 @@
 import { describe, expect, test } from "vitest";
 import { load } from "../../../src/engine/index.ts";
 import { DRILLS } from "../../../src/app/train/drills/index.ts";
-import { type Mark, marksOf } from "../../../src/app/train/diagram-marks.ts";
+import type { Mark } from "../../../src/app/diagram/table-marks.ts";
+import { marksOf } from "../../../src/app/train/diagram-marks.ts";
 
 const engine = await load();
 

@@ -7,7 +7,8 @@ import type { Engine, PocketName, Shot, Strike, StrikeInput } from "../../../eng
 import type { Condition, Diamonds, Drill, Step } from "../drills/index.ts";
 import { judge, restOf } from "../drill-judge.ts";
 import { layoutOf } from "../drill-layout.ts";
-import { type Cloth, clothOf, length } from "../drill-places.ts";
+import { length } from "../../common/length.ts";
+import { type Cloth, clothOf } from "../drill-places.ts";
 import { randomOf } from "./seeded-random.ts";
 
 /**
