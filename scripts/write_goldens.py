@@ -291,6 +291,7 @@ def _plain(ruling: carom.Ruling) -> dict[str, Any]:
         "points": list(ruling.points),
         "spotted": list(ruling.spotted),
         "racked": ruling.racked,
+        **({} if ruling.carom is None else {"carom": dict(ruling.carom)}),
     }
 
 
