@@ -17,6 +17,7 @@ from carom.cli import (
     INTERRUPTED,
     arena,
     convert,
+    diagram,
     engine,
     learn,
     match,
@@ -52,6 +53,7 @@ app.command("solve", cls=renamed.command(elevation="elevation-deg", of_a_way="pe
     plan.solve
 )
 app.command("think")(think.think)
+app.command("diagram")(diagram.diagram)
 app.command("match")(match.match)
 app.add_typer(arena.arena, name="arena")
 app.add_typer(plan.maps, name="map")

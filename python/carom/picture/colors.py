@@ -23,6 +23,37 @@ IVORY = "#f6f1e3"
 
 
 @dataclass(frozen=True, slots=True)
+class Palette:
+    """The colours of a table."""
+
+    cloth: str = CLOTH
+    cushion: str = CUSHION
+    cushion_edge: str = CUSHION_EDGE
+    rail: str = RAIL
+    rail_edge: str = RAIL_EDGE
+    diamond: str = DIAMOND
+    hole: str = HOLE
+    hole_edge: str = HOLE_EDGE
+    line: str = "white"
+    """Lines on the cloth."""
+
+
+FELT = Palette()
+# For paper: light surfaces and grey lines, which a printer without colours shows as well.
+LIGHT = Palette(
+    cloth="#ffffff",
+    cushion="#f1f1f1",
+    cushion_edge="#8a8a8a",
+    rail="#e3e3e3",
+    rail_edge="#6a6a6a",
+    diamond="#333333",
+    hole="#c9c9c9",
+    hole_edge="#6a6a6a",
+    line="black",
+)
+
+
+@dataclass(frozen=True, slots=True)
 class Look:
     """How one ball is drawn."""
 

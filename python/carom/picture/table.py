@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 from matplotlib.patches import Circle, FancyBboxPatch, PathPatch, Polygon, Rectangle
 from matplotlib.path import Path
 
-from carom.picture import colors
+from carom.picture.colors import FELT, Palette
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -65,10 +65,10 @@ def _hull(route: Route) -> list[Point]:
     return [route.start, route.end, *(p for leg in route.legs for p in (leg.start, leg.control))]
 
 
-def draw_table(ax: Axes, geometry: dict[str, Any], region: Bounds) -> None:
+def draw_table(ax: Axes, geometry: dict[str, Any], region: Bounds, palette: Palette = FELT) -> None:
     """Draw the table or the unbounded cloth."""
     if geometry["size"] is None:
-        _unbounded_cloth(ax, region)
+        _unbounded_cloth(ax, region, palette)
         return
     width, length = geometry["size"]
     cushion = geometry["cushion_width"]
@@ -80,8 +80,8 @@ def draw_table(ax: Axes, geometry: dict[str, Any], region: Bounds) -> None:
             right - left,
             top - bottom,
             boxstyle=f"round,pad=0,rounding_size={0.8 * wood}",
-            facecolor=colors.RAIL,
-            edgecolor=colors.RAIL_EDGE,
+            facecolor=palette.rail,
+            edgecolor=palette.rail_edge,
             linewidth=1.2,
             zorder=0,
         )
@@ -91,19 +91,19 @@ def draw_table(ax: Axes, geometry: dict[str, Any], region: Bounds) -> None:
             (-cushion, -cushion),
             width + 2 * cushion,
             length + 2 * cushion,
-            facecolor=colors.CLOTH,
-            edgecolor=colors.RAIL_EDGE,
+            facecolor=palette.cloth,
+            edgecolor=palette.rail_edge,
             linewidth=0.8,
             zorder=1,
         )
     )
-    ax.add_patch(Rectangle((0, 0), width, length, facecolor=colors.CLOTH, zorder=1.1))
+    ax.add_patch(Rectangle((0, 0), width, length, facecolor=palette.cloth, zorder=1.1))
     for pocket in geometry["pockets"]:
-        _pocket(ax, pocket)
+        _pocket(ax, pocket, palette)
     for parts in _rails(geometry):
-        _cushion(ax, parts, width, length, cushion)
-    _sights(ax, geometry)
-    _markings(ax, geometry)
+        _cushion(ax, parts, (width, length, cushion), palette)
+    _sights(ax, geometry, palette)
+    _markings(ax, geometry, palette)
 
 
 class Ground:
@@ -148,25 +148,27 @@ def _rails(geometry: dict[str, Any]) -> list[list[dict[str, Any]]]:
     ]
 
 
-def _unbounded_cloth(ax: Axes, region: Bounds) -> None:
+def _unbounded_cloth(ax: Axes, region: Bounds, palette: Palette) -> None:
     left, bottom, right, top = region
     ax.add_patch(
-        Rectangle((left, bottom), right - left, top - bottom, facecolor=colors.CLOTH, zorder=0)
+        Rectangle((left, bottom), right - left, top - bottom, facecolor=palette.cloth, zorder=0)
     )
     step = 10.0 ** math.floor(math.log10((right - left) / 2))
     for x in _multiples(left, right, step):
-        ax.plot([x, x], [bottom, top], color="white", alpha=0.07, linewidth=0.7, zorder=0.5)
+        ax.plot([x, x], [bottom, top], color=palette.line, alpha=0.07, linewidth=0.7, zorder=0.5)
     for y in _multiples(bottom, top, step):
-        ax.plot([left, right], [y, y], color="white", alpha=0.07, linewidth=0.7, zorder=0.5)
+        ax.plot([left, right], [y, y], color=palette.line, alpha=0.07, linewidth=0.7, zorder=0.5)
     x, y = left + 0.04 * (right - left), bottom + 0.04 * (top - bottom)
-    ax.plot([x, x + step], [y, y], color="white", linewidth=1.6, zorder=8, solid_capstyle="butt")
+    ax.plot(
+        [x, x + step], [y, y], color=palette.line, linewidth=1.6, zorder=8, solid_capstyle="butt"
+    )
     ax.annotate(
         f"{step:g} m",
         (x + step / 2, y),
         xytext=(0, 3),
         textcoords="offset points",
         ha="center",
-        color="white",
+        color=palette.line,
         fontsize=7.5,
         zorder=8,
     )
@@ -176,28 +178,30 @@ def _multiples(low: float, high: float, step: float) -> list[float]:
     return [i * step for i in range(math.ceil(low / step), math.floor(high / step) + 1)]
 
 
-def _pocket(ax: Axes, pocket: dict[str, Any]) -> None:
+def _pocket(ax: Axes, pocket: dict[str, Any], palette: Palette) -> None:
     """Draw the hole in the slate and the opening in the rail behind it."""
     x, y = pocket["center"]
     radius = pocket["radius"]
-    ax.add_patch(Circle((x, y), (1 + POCKET_RIM) * radius, facecolor=colors.HOLE_EDGE, zorder=1.3))
-    ax.add_patch(Circle((x, y), radius, facecolor=colors.HOLE, zorder=1.4, gid="hole"))
+    ax.add_patch(Circle((x, y), (1 + POCKET_RIM) * radius, facecolor=palette.hole_edge, zorder=1.3))
+    ax.add_patch(Circle((x, y), radius, facecolor=palette.hole, zorder=1.4, gid="hole"))
     if "mouth" in pocket:
         (x0, y0), (x1, y1) = pocket["mouth"]
-        ax.plot([x0, x1], [y0, y1], color="white", alpha=0.5, linewidth=0.8, ls=":", zorder=2.2)
+        ax.plot(
+            [x0, x1], [y0, y1], color=palette.line, alpha=0.5, linewidth=0.8, ls=":", zorder=2.2
+        )
 
 
 def _cushion(
-    ax: Axes, parts: list[dict[str, Any]], width: float, length: float, cushion: float
+    ax: Axes, parts: list[dict[str, Any]], size: tuple[float, float, float], palette: Palette
 ) -> None:
-    """Draw one rail's rubber, from its nose line to the wood."""
-    outline = _rubber(parts, width, length, cushion)
-    ax.add_patch(Polygon(outline, closed=True, facecolor=colors.CUSHION, zorder=1.6))
+    """Draw one rail's rubber, from its nose line to the wood; size: width, length, rubber, m."""
+    outline = _rubber(parts, *size)
+    ax.add_patch(Polygon(outline, closed=True, facecolor=palette.cushion, zorder=1.6))
     ax.add_patch(
         PathPatch(
             Path(outline[1:-1]),
             facecolor="none",
-            edgecolor=colors.CUSHION_EDGE,
+            edgecolor=palette.cushion_edge,
             linewidth=0.9,
             joinstyle="round",
             zorder=1.7,
@@ -262,7 +266,7 @@ def _chords(part: dict[str, Any]) -> list[Point]:
     ]
 
 
-def _sights(ax: Axes, geometry: dict[str, Any]) -> None:
+def _sights(ax: Axes, geometry: dict[str, Any], palette: Palette) -> None:
     """Draw the diamonds on the rails, except where a pocket is."""
     sights = geometry.get("sights")
     if sights is None:
@@ -276,29 +280,31 @@ def _sights(ax: Axes, geometry: dict[str, Any]) -> None:
         if ends and (i in (0, sights["along_length"]) or 2 * i == sights["along_length"]):
             continue
         for x in (-back, width + back):
-            _diamond(ax, x, y, middle, 1.5 * middle)
+            _diamond(ax, (x, y), (middle, 1.5 * middle), palette)
     for i in range(sights["along_width"] + 1):
         if ends and i in (0, sights["along_width"]):
             continue
         for y in (-back, length + back):
-            _diamond(ax, i * width / sights["along_width"], y, 1.5 * middle, middle)
+            at = (i * width / sights["along_width"], y)
+            _diamond(ax, at, (1.5 * middle, middle), palette)
 
 
-def _diamond(ax: Axes, x: float, y: float, half_width: float, half_height: float) -> None:
+def _diamond(ax: Axes, at: Point, half: tuple[float, float], palette: Palette) -> None:
+    (x, y), (half_width, half_height) = at, half
     corners = [
         (x - half_width, y),
         (x, y - half_height),
         (x + half_width, y),
         (x, y + half_height),
     ]
-    ax.add_patch(Polygon(corners, facecolor=colors.DIAMOND, edgecolor="none", zorder=1.8))
+    ax.add_patch(Polygon(corners, facecolor=palette.diamond, edgecolor="none", zorder=1.8))
 
 
-def _markings(ax: Axes, geometry: dict[str, Any]) -> None:
+def _markings(ax: Axes, geometry: dict[str, Any], palette: Palette) -> None:
     """Draw the head string or baulk line, the D, and the spots."""
     markings = geometry.get("markings") or {}
     width, _ = geometry["size"]
-    style: dict[str, Any] = {"color": "white", "alpha": 0.28, "linewidth": 0.8, "zorder": 1.2}
+    style: dict[str, Any] = {"color": palette.line, "alpha": 0.28, "linewidth": 0.8, "zorder": 1.2}
     string, radius = markings.get("head_string"), markings.get("d_radius")
     if string is not None:
         ax.plot([0, width], [string, string], **style)

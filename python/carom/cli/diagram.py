@@ -1,0 +1,69 @@
+"""``carom diagram``: diagrams of shots and positions for paper."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from carom import Frame, Shot, Trace, _core
+from carom.cli.options import title_of
+from carom.cli.output import file_name, read
+from carom.errors import InputError
+from carom.lazy import LazyModule
+
+if TYPE_CHECKING:
+    from carom.picture import diagram as picture
+else:
+    # Matplotlib takes half a second to load.
+    picture = LazyModule("carom.picture.diagram")
+
+
+def diagram(
+    files: Annotated[
+        list[str],
+        typer.Argument(
+            metavar="FILE...",
+            help="Shot files, traces, or records of frames (Frame.record); - is stdin.",
+        ),
+    ],
+    out: Annotated[
+        str,
+        typer.Option("-o", "--out", metavar="OUT", help="The file to write: .svg, .png or .pdf."),
+    ],
+    paper: Annotated[
+        str | None,
+        typer.Option(help="a4 or letter; without it the file has the size of the diagram."),
+    ] = None,
+    per_page: Annotated[int, typer.Option(help="Diagrams on a page: 1, 2 or 4.")] = 1,
+    title: Annotated[
+        str | None,
+        typer.Option(help="Heading of the diagrams; default: the name of a single file."),
+    ] = None,
+) -> None:
+    """Draw shots or positions for paper: light, with thin lines, readable without colours.
+
+    A shot is simulated, and the paths of its balls are drawn. Those of a frame are drawn as they lie.
+    """
+    drawn = [_read(file) for file in files]
+    if title is None and len(files) == 1 and files[0] != "-":
+        title = title_of(files[0])
+    picture.save(drawn, out, title=title, paper=paper, per_page=per_page)  # type: ignore[arg-type]
+
+
+def _read(path: str) -> Shot | Trace | Frame:
+    name = file_name(path)
+    file = _core.read_json(read(path), name)
+    kind = str(file.get("format", "carom-shot")) if isinstance(file, dict) else "carom-shot"
+    if kind.startswith("carom-frame"):
+        return Frame.replay(file)
+    if kind.startswith("carom-trace"):
+        return Trace.from_dict(file)
+    if kind.startswith("carom-shot"):
+        return Shot.from_dict(file)
+    raise InputError(
+        "format",
+        f"{name}: format",
+        f"found {kind!r}",
+        "give a shot (carom-shot/1), a trace (carom-trace/1) or a record (carom-frame/1)",
+    )
