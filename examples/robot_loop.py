@@ -133,15 +133,18 @@ class Robot:
     def plan(self, seen: dict[str, np.ndarray]) -> tuple[carom.Shot, float]:
         """The best shot, and the chance that it scores."""
         assert self.errors is not None
+        assert self.table is not None
+        # The cue goes to the ball where it is seen; a camera that is off is off for all balls.
+        beside = carom.Noise(side_m=float(np.hypot(SEEN, self.table.sigma[-2:].max())))
         frame = carom.Frame.of_shot(GAME, self.lying(seen))
-        noise = self.errors.at(3.0).noise
+        noise = self.errors.at(3.0).noise + beside
         best = self.player.explain(frame, 1, noise=noise, posterior=self.table).best
         assert best is not None
         # Neither the table, nor the errors, nor the calibration is known exactly.
-        calibration, made = self.frame.noise(best.shot), []
+        other, made = self.frame.noise(best.shot) + beside, []
         for seed, noise in enumerate(self.errors.at(best.shot.speed or 3.0).draw(16)):
             chances = best.shot.evaluate(
-                noise + calibration,
+                noise + other,
                 128,
                 seed,
                 perception=self.sight,
