@@ -323,6 +323,11 @@ class Shot:
         entries = self._source().get("track", ())
         return {entry["ball"]: np.array(entry["samples"], float) for entry in entries}
 
+    @property
+    def marks(self) -> list[dict[str, Any]]:
+        """What is drawn on the table, as the key ``marks`` of the shot file; empty without it."""
+        return [dict(mark) for mark in self._source().get("marks", ())]
+
     def geometry(self) -> dict[str, Any]:
         """The table's dimensions, cushions and pockets, m, origin at the bottom left corner."""
         return self._core.geometry()

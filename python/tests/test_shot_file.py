@@ -57,6 +57,21 @@ def test_a_track_stays_with_the_shot(pot: dict[str, Any]) -> None:
         Shot.from_dict(pot | {"track": [{"ball": "9", "samples": samples}]})
 
 
+def test_marks_stay_with_the_shot(pot: dict[str, Any]) -> None:
+    assert Shot.from_dict(pot).marks == []
+    marks = [
+        {"kind": "arrow", "color": "yellow", "from": [0.4, 0.6], "to": [0.9, 1.8]},
+        {"kind": "label", "color": "white", "at": [0.4, 0.5], "text": "½ ball"},
+    ]
+    shot = Shot.from_dict(pot | {"marks": marks})
+    assert shot.to_dict()["marks"] == marks
+    assert shot == Shot.from_dict(pot)
+    for same in (shot, pickle.loads(pickle.dumps(shot)), shot.with_strike(speed=1.0)):
+        assert same.marks == marks
+    with pytest.raises(InputError, match=r"^marks\[0\].kind: there is no kind of mark"):
+        Shot.from_dict(pot | {"marks": [{"kind": "star", "color": "red"}]})
+
+
 def test_numpy_scalars_and_arrays_are_accepted_as_numbers(pot: dict[str, Any]) -> None:
     pot["balls"][1]["position"] = [0.635, 1.5]
     plain = Shot.from_dict(pot)

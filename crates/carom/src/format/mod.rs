@@ -14,6 +14,7 @@ mod geometry;
 #[cfg(feature = "json")]
 mod json;
 mod key_path;
+mod marks;
 mod node;
 mod outcome;
 mod parameters;
@@ -30,6 +31,7 @@ mod track;
 
 pub use dated::{with_dated_names, with_value_dated};
 pub use key_path::KeyPath;
+pub use marks::{MOST_MARKS, MarkColor, MarkShape, TableMark};
 pub use node::Node;
 pub use parameters::{Parameter, coefficient_at, parameters, physics_list};
 pub use parts::{check_balls, check_physics, check_table};

@@ -9,6 +9,7 @@ use core::ops::Deref;
 
 use super::dated::{with_dated_names, with_named_dated};
 use super::key_path::KeyPath;
+use super::marks::{self, TableMark};
 use super::node::Node;
 use super::read::At;
 use super::track::{self, FilmedBall};
@@ -22,8 +23,18 @@ use crate::shot::{
 /// The value of `format` in a shot file.
 pub const SHOT_FORMAT: &str = "carom-shot/1";
 
-const KEYS: &[&str] =
-    &["format", "table", "physics", "balls", "strike", "cling", "until", "max_events", "track"];
+const KEYS: &[&str] = &[
+    "format",
+    "table",
+    "physics",
+    "balls",
+    "strike",
+    "cling",
+    "until",
+    "max_events",
+    "track",
+    "marks",
+];
 
 /// What a written file says of an elevation that is the default.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -188,6 +199,27 @@ impl ShotFile {
             node.remove("track");
         } else {
             node.set("track", track::write(track));
+        }
+        Self::from_node(node)
+    }
+
+    /// What is drawn on the table; empty for a file without `marks`.
+    pub fn marks(&self) -> Vec<TableMark> {
+        let written = self.source.as_ref().and_then(|source| source.get("marks"));
+        // The file was checked when it was read.
+        written.map_or_else(Vec::new, |node| marks::read(&At::root(node)).unwrap_or_default())
+    }
+
+    /// The same file with other `marks`; without the key if `marks` is empty.
+    ///
+    /// # Errors
+    /// [`Error::Input`] for marks that a shot file could not have.
+    pub fn with_marks(&self, marks: &[TableMark]) -> Result<Self, Error> {
+        let mut node = self.written(DefaultElevation::Omitted, PresetNames::AsRead).into_owned();
+        if marks.is_empty() {
+            node.remove("marks");
+        } else {
+            node.set("marks", marks::write(marks));
         }
         Self::from_node(node)
     }
@@ -357,6 +389,9 @@ fn read(file: &Node) -> Result<Shot, Error> {
     let cling = fields.get("cling").map_or(Ok(Cling::NONE), |at| cling::read(&at))?;
     if let Some(at) = fields.get("track") {
         track::read(&at, &balls)?;
+    }
+    if let Some(at) = fields.get("marks") {
+        marks::read(&at)?;
     }
     let strike = struck;
     Shot::new(Parts {

@@ -1,6 +1,6 @@
 //! Shot files are read and written without losing a bit or a word.
 
-use carom::format::{FilmedBall, KeyPath, Node};
+use carom::format::{FilmedBall, KeyPath, MarkColor, MarkShape, Node, TableMark};
 use carom::resolve::cue_ball::Strike;
 use carom::{Physics, Shot, ShotFile};
 
@@ -313,4 +313,30 @@ fn a_track_stays_in_the_file_and_changes_nothing_in_the_shot() {
     assert!(again.with_track(&[]).unwrap().track().is_empty());
     let other = [FilmedBall { ball: "2".into(), samples: vec![[0.0, 1.0, 1.0]] }];
     assert!(bare.with_track(&other).is_err());
+}
+
+#[test]
+fn marks_stay_in_the_file_and_change_nothing_in_the_shot() {
+    let bare = ShotFile::from_json(&SHOT.replace(SPIN, "")).unwrap();
+    assert!(bare.marks().is_empty());
+    let (from, to) = ([0.1, 0.2], [0.635, 1.270_01]);
+    let label = MarkShape::Label { at: from, text: "½ Ball: 左塞".into() };
+    let marks = [
+        TableMark { shape: MarkShape::Line([from, to]), color: MarkColor::White },
+        TableMark { shape: MarkShape::Arrow([to, from]), color: MarkColor::Yellow },
+        TableMark { shape: MarkShape::Circle { center: to, radius: 0.1 }, color: MarkColor::Red },
+        TableMark { shape: MarkShape::Area(vec![from, to, [1.0, -0.1]]), color: MarkColor::Blue },
+        TableMark { shape: label, color: MarkColor::White },
+    ];
+    let marked = bare.with_marks(&marks).unwrap();
+    assert_eq!(marked, bare);
+    assert_eq!(marked.simulate().unwrap().hash(), bare.simulate().unwrap().hash());
+    let again = ShotFile::from_json(&marked.to_json()).unwrap();
+    assert_eq!(again.marks(), marks);
+    assert_eq!(again.to_json(), marked.to_json());
+    let strike = Strike { speed: 1.0, ..again.strike().unwrap().1 };
+    assert_eq!(again.with_strike(&strike).unwrap().marks(), marks);
+    assert!(again.with_marks(&[]).unwrap().marks().is_empty());
+    let other = MarkShape::Circle { center: from, radius: -1.0 };
+    assert!(bare.with_marks(&[TableMark { shape: other, color: MarkColor::Red }]).is_err());
 }

@@ -500,3 +500,37 @@ fn a_track_names_balls_of_the_shot_and_has_times_that_increase() {
     let many: Vec<String> = (0..=10_000).map(|t| format!("[{t}, 1, 1]")).collect();
     of(&format!("[{}]", many.join(",")), "", &["found 10001 samples"]);
 }
+
+#[test]
+fn marks_have_the_keys_of_their_kind_and_bounded_sizes() {
+    let marks = |text: &str, place: &str, words: &[&str]| {
+        refused("1000", &format!("1000, \"marks\": {text}"), place, words);
+    };
+    let of = |rest: &str, place: &str, words: &[&str]| {
+        marks(&format!(r#"[{{"color": "red", {rest}}}]"#), &format!("marks[0]{place}"), words);
+    };
+    let label = |text: &str, words: &[&str]| {
+        of(&format!(r#""kind": "label", "at": [0, 1], "text": "{text}""#), ".text", words);
+    };
+    marks("{}", "marks", &["a list of marks"]);
+    marks(r#"[{"kind": "line", "from": [0, 1], "to": [1, 1]}]"#, "marks[0].color", &["missing"]);
+    of(r#""from": [0, 1]"#, ".kind", &["the key is missing"]);
+    of(r#""kind": "star""#, ".kind", &["no kind of mark \"star\"", "circle"]);
+    of(r#""kind": "line", "from": [0, 1]"#, ".to", &["the key is missing"]);
+    of(r#""kind": "line", "from": [0, 1], "to": [1]"#, ".to", &[]);
+    of(r#""kind": "line", "from": [0, 1], "to": [1, 1e10]"#, ".to[1]", &["out of range"]);
+    of(r#""kind": "circle", "center": [0, 1], "radius": 0"#, ".radius", &["out of range"]);
+    of(r#""kind": "circle", "center": [0, 1], "radius": 1, "to": [1, 1]"#, ".to", &["unknown key"]);
+    of(
+        r#""kind": "area", "outline": [[0, 1], [1, 1]]"#,
+        ".outline",
+        &["found 2 corners", "3 to 64"],
+    );
+    label("", &["found 0 characters"]);
+    label(&"x".repeat(41), &["found 41 characters", "1 to 40"]);
+    label("two\\nlines", &["a control character"]);
+    let colored = r#"[{"kind": "label", "at": [0, 1], "text": "A", "color": "green"}]"#;
+    marks(colored, "marks[0].color", &["no colour \"green\"", "yellow"]);
+    let line = r#"{"kind": "line", "color": "red", "from": [0, 1], "to": [1, 1]}"#;
+    marks(&format!("[{}]", vec![line; 101].join(",")), "marks", &["found 101 marks"]);
+}
