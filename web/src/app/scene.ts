@@ -8,6 +8,7 @@ import { stopHandle } from "./analyse/stop-handle.ts";
 import type { Context } from "./common/context.ts";
 import type { AimedShot, Attempt, Session } from "./document/document.ts";
 import { areasOf } from "./game/game-areas.ts";
+import { awaitedMark } from "./draw/draw-keys.ts";
 import { filmOf } from "./document/filmed.ts";
 import type { Game, Guide } from "./document/stored-game.ts";
 import { shownGuide } from "./document/guide-extent.ts";
@@ -66,6 +67,8 @@ export class Scene {
   #shown: State | null = null;
   /** What the marked areas of the cloth come from. */
   #marked: readonly unknown[] = [];
+  /** What the drawn marks come from. */
+  #drawn: readonly unknown[] = [undefined, null, undefined, undefined];
   #zone: Density | null = null;
   /** What is lit, as text. */
   #lit = "";
@@ -106,6 +109,7 @@ export class Scene {
       this.#zone = zone;
       this.#viewer.setZone(zone);
     }
+    this.#showDrawing(now);
     const selected = shot.balls.findIndex(({ id }) => id === now.session.selected);
     this.#viewer.select(selected < 0 ? null : selected);
     this.stats.sceneMs = performance.now() - start;
@@ -188,6 +192,17 @@ export class Scene {
     const progress = standing(this.#store, this.#engine);
     const { geometry, balls } = this.#store.shot;
     return game && progress ? areasOf(call, progress, geometry, balls[0]?.radius ?? 0) : [];
+  }
+
+  /** Shows what is drawn, and while the keyboard draws its place. */
+  #showDrawing({ document, session }: State): void {
+    const { marks } = document.shot;
+    const awaited = awaitedMark(this.#store);
+    const cursor = session.drawing?.cursor ?? null;
+    const sources = [marks, cursor, session.drawing?.start, session.drawing?.tool];
+    if (sources.every((source, k) => source === this.#drawn[k])) return;
+    this.#drawn = sources;
+    this.#viewer.setDrawing([...(marks ?? []), ...(awaited ? [awaited] : [])], cursor);
   }
 
   #buffer(balls: number): Float64Array {

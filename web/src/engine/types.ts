@@ -26,7 +26,19 @@ export interface ShotFile {
   readonly max_events?: number;
   /** Where a camera saw the balls; it changes nothing in the shot. */
   readonly track?: readonly FilmedBall[];
+  /** What is drawn on the table; it changes nothing in the shot. */
+  readonly marks?: readonly DrawnMark[];
 }
+
+export type MarkColor = "white" | "yellow" | "red" | "blue";
+
+/** A mark that somebody has drawn on the table; places are x, y in m. */
+export type DrawnMark = { readonly color: MarkColor } & (
+  | { readonly kind: "line" | "arrow"; readonly from: Point; readonly to: Point }
+  | { readonly kind: "circle"; readonly center: Point; readonly radius: number }
+  | { readonly kind: "area"; readonly outline: readonly Point[] }
+  | { readonly kind: "label"; readonly at: Point; readonly text: string }
+);
 
 /** Where a camera saw a ball. */
 export interface FilmedBall {

@@ -16,4 +16,5 @@ export type {
   Quality,
   Theme,
 } from "./viewer-types.ts";
+export { MARK_COLORS } from "./overlay/drawn-marks.ts";
 export { Viewer, type ViewerOptions } from "./viewer.ts";

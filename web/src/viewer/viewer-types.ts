@@ -6,7 +6,7 @@
 
 import { MOTIONS } from "../engine/types.ts";
 
-export type { BallInfo, Geometry, Point } from "../engine/types.ts";
+export type { BallInfo, DrawnMark, Geometry, Point } from "../engine/types.ts";
 
 /**
  * Offsets of a ball's position, velocity, angular velocity, orientation (x, y, z, w) and motion code among its

@@ -11,6 +11,7 @@ import { Highlight } from "./overlay/highlight.ts";
 import type { Density } from "./overlay/density.ts";
 import { Fan } from "./overlay/fan.ts";
 import { Lines } from "./overlay/pixel-lines.ts";
+import { DrawnMarks } from "./overlay/drawn-marks.ts";
 import { Marks } from "./overlay/ring-marks.ts";
 import { Paths } from "./overlay/ball-paths.ts";
 import { pocketAt, railAt } from "./pointing.ts";
@@ -26,6 +27,7 @@ import {
   type BallPath,
   type CameraMode,
   type CuePose,
+  type DrawnMark,
   type Geometry,
   type HitResult,
   type Lit,
@@ -82,6 +84,7 @@ export class Viewer {
   readonly #cue = new Cue();
   readonly #areas = new Areas();
   readonly #marks = new Marks();
+  readonly #drawn = new DrawnMarks();
   readonly #watcher: ResizeObserver;
   #governor: Governor;
   #quality: Quality = "auto";
@@ -129,6 +132,7 @@ export class Viewer {
       this.#aim.object,
       this.#cue.mesh,
       this.#marks.group,
+      this.#drawn.group,
     );
     this.setTheme(options.theme);
     this.#applyLevel();
@@ -318,6 +322,16 @@ export class Viewer {
     this.#invalidate();
   }
 
+  /**
+   * Shows what the user has drawn.
+   *
+   * @param cursor - The place of the keyboard while it draws, m; null: none.
+   */
+  setDrawing(marks: readonly DrawnMark[], cursor: Point | null): void {
+    this.#drawn.set(marks, cursor);
+    this.#invalidate();
+  }
+
   select(ball: number | null): void {
     this.#selected = ball;
     this.#marks.select(ball, this.#balls);
@@ -444,6 +458,7 @@ export class Viewer {
       this.#zone,
       this.#cue,
       this.#marks,
+      this.#drawn,
       this.#lighting,
       this.#stage,
     ]) {

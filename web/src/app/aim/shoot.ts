@@ -5,6 +5,7 @@ import type { Context } from "../common/context.ts";
 import { errorText } from "../common/refusals.ts";
 import { ballName } from "../common/shot-words.ts";
 import type { Document } from "../document/document.ts";
+import { withMarks } from "../document/marks.ts";
 import type { Store } from "../document/store.ts";
 import { automatic, changed } from "../document/strike-angles.ts";
 import { playShot } from "../game/game-actions.ts";
@@ -76,7 +77,8 @@ export function takeItFromHere(store: Store, context: Context): void {
   store.setSession({ lock: null });
   // The next shot starts at the centre and at the automatic elevation: both rarely carry over.
   const strike = automatic(changed(shot.strike, { ball: struck, side: 0, height: 0 }));
-  const change = { shot: { ...shot, balls, strike } };
+  // What is drawn belongs to the position before.
+  const change = { shot: withMarks({ ...shot, balls, strike }, []) };
   // One undo takes back one shot.
   const taken =
     kept.get(store) === store.document

@@ -6,6 +6,7 @@ import type { Orientation } from "../common/seen.ts";
 import type { SpeedUnit } from "../common/units.ts";
 import type { AimedShot } from "./aimed-shot.ts";
 import type { Filmed } from "./filmed.ts";
+import type { Drawing } from "./marks.ts";
 import type { Game } from "./stored-game.ts";
 import type { Tree } from "./shot-tree.ts";
 
@@ -143,6 +144,8 @@ export interface Session {
   readonly attempt: Attempt | null;
   /** How the picture shows the table; names of pockets and rails depend on it. */
   readonly orientation: Orientation;
+  /** What is drawn next; null: gestures on the table do not draw. */
+  readonly drawing: Drawing | null;
   /** Fine adjustment: drags and keys have a tenth of their effect. */
   readonly fine: boolean;
 }
@@ -160,5 +163,6 @@ export const FIRST_SESSION: Session = {
   refusal: null,
   attempt: null,
   orientation: 0,
+  drawing: null,
   fine: false,
 };

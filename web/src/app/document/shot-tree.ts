@@ -76,9 +76,9 @@ function parentOf(
   return null;
 }
 
-/** Everything of a shot but balls and strike. */
+/** Everything of a shot but balls and strike, and what is drawn. */
 function setting(shot: AimedShot): object {
-  return { ...shot, balls: undefined, strike: undefined };
+  return { ...shot, balls: undefined, strike: undefined, marks: undefined };
 }
 
 function same(a: unknown, b: unknown): boolean {

@@ -3,6 +3,7 @@
 import type { Point } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import type { Store } from "../document/store.ts";
+import type { DrawDrag } from "../draw/draw-gesture.ts";
 import type { Target } from "../document/target.ts";
 import type { AimCloseUp } from "./aim-close-up.ts";
 import { Loupe } from "./finger-loupe.ts";
@@ -54,7 +55,12 @@ interface OtherDrag extends Press {
   readonly kind: "stroke" | "stop" | "camera";
 }
 
-export type Gesture = BallDrag | CueDrag | OtherDrag;
+/** A drag that draws on the table. */
+interface MarkDrag extends Press, DrawDrag {
+  readonly kind: "draw";
+}
+
+export type Gesture = BallDrag | CueDrag | MarkDrag | OtherDrag;
 
 /** The picture of the table, on which gestures are made. */
 export interface Surface {

@@ -4,7 +4,9 @@ import type { Point } from "../../engine/index.ts";
 import { dropStop, stopOf } from "../analyse/stop-handle.ts";
 import { hidePreview } from "../analyse/result-preview.ts";
 import { removeBall } from "../document/layout-changes.ts";
+import { marksOf } from "../document/marks.ts";
 import { targetOf } from "../document/target.ts";
+import { beginDraw, moveDraw, tapDraw } from "../draw/draw-gesture.ts";
 import { isAway, moveBall, moveStop, turnCue } from "./drags.ts";
 import { FingerPace } from "./finger-pace.ts";
 import type { Gesture, GestureState, Pointer } from "./gesture-state.ts";
@@ -33,7 +35,7 @@ export function start(state: GestureState, event: Pointer): void {
   state.present = gesture;
   surface.setPointerCapture(event.pointerId);
   if (gesture.kind === "stroke") surface.dataset.drag = "cue";
-  else if (gesture.kind === "ball" || gesture.kind === "stop") state.loupe.press(event);
+  else if (gesture.kind !== "camera" && gesture.kind !== "cue") state.loupe.press(event);
   context.viewer.controls = gesture.kind === "cue" || gesture.kind === "camera";
 }
 
@@ -52,6 +54,10 @@ function begun(state: GestureState, event: Pointer): Gesture {
     reach: TAP_REACH[event.pointerType === "mouse" ? "mouse" : "finger"],
     moved: false,
   };
+  if (store.session.drawing) {
+    const drag = beginDraw(store, context, event);
+    return drag ? { ...press, ...drag, kind: "draw" } : { ...press, kind: "camera" };
+  }
   if (ball === null && state.stroke.press(event, press.group)) return { ...press, kind: "stroke" };
   if (ball === null && point && isAtStop(state, event, point)) return { ...press, kind: "stop" };
   // A finger taps the ball near it, but moves only one that it is on: beside it, a drag turns the cue.
@@ -92,7 +98,9 @@ export function move(state: GestureState, event: Pointer): void {
   gesture.moved = true;
   state.surface.dataset.drag ??= gesture.kind === "cue" ? "turn" : gesture.kind;
   if (gesture.kind === "stop") moveStop(state, event);
-  else if (gesture.kind === "ball") moveBall(state, gesture, event);
+  else if (gesture.kind === "draw") {
+    moveDraw(state.store, state.context, gesture, event, gesture.group);
+  } else if (gesture.kind === "ball") moveBall(state, gesture, event);
   else if (gesture.kind === "cue") {
     turnCue(state, gesture, event);
     if (event.pointerType !== "mouse") state.closeUp.show({ x: event.clientX, y: event.clientY });
@@ -108,6 +116,7 @@ export function end(state: GestureState, event: Pointer): void {
   // The last move counts.
   context.loop.flush();
   if (gesture.kind === "stroke") state.stroke.release();
+  else if (!gesture.moved && store.session.drawing) tapDraw(store, context, event);
   else if (!gesture.moved) tap(state, gesture, event);
   else if (gesture.kind === "ball" && isAway(state, event)) {
     removeBall(store, store.shot.balls[gesture.held]!.id, gesture.group);
@@ -121,7 +130,11 @@ export function end(state: GestureState, event: Pointer): void {
 
 /** Ends the present gesture without its effect at a release. */
 export function cancel(state: GestureState): void {
-  if (state.present?.kind === "stop") hidePreview(state.store);
+  const gesture = state.present;
+  if (gesture?.kind === "stop") hidePreview(state.store);
+  if (gesture?.kind === "draw" && marksOf(state.store.document.shot) !== gesture.before) {
+    state.store.undo();
+  }
   settle(state);
 }
 

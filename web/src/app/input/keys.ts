@@ -8,6 +8,7 @@ import { aimAtNextPocket } from "../analyse/aim-at-pocket.ts";
 import { redo, undo } from "../document/undo.ts";
 import { leave, stepBackwards, stepForwards, togglePlaying } from "../replay/replay-control.ts";
 import { switchSound } from "../replay/replay-sound.ts";
+import { beginDrawing, endDrawing } from "../draw/draw-mode.ts";
 import type { Store } from "../document/store.ts";
 import { round } from "../common/units.ts";
 import { type PlainKey, t } from "../words/translate.ts";
@@ -191,6 +192,16 @@ export const KEYS: readonly Key[] = [
     help: "key.redo",
     run: ({ store, context }) => {
       redo(store, context);
+    },
+  },
+  {
+    keys: ["d"],
+    shown: ["D"],
+    help: "key.draw",
+    mode: "aim",
+    run: ({ store }) => {
+      if (store.session.drawing) endDrawing(store);
+      else beginDrawing(store);
     },
   },
   { keys: ["1"], shown: ["1"], help: "key.top", run: toCamera("top") },

@@ -4,7 +4,7 @@ import { h } from "../common/dom.ts";
 import type { Activity } from "../document/document.ts";
 import type { Store } from "../document/store.ts";
 import { t } from "../words/translate.ts";
-import { mountChoice } from "./choice-row.ts";
+import { mountChoice } from "../common/choice-row.ts";
 
 const ACTIVITIES: readonly Activity[] = ["analyse", "play", "train"];
 

@@ -6,7 +6,7 @@ import type { Camera, Theme } from "../document/document.ts";
 import { h, icon } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { t } from "../words/translate.ts";
-import { mountChoice } from "./choice-row.ts";
+import { mountChoice } from "../common/choice-row.ts";
 
 const ICONS = {
   undo: "M8 4L4 8l4 4M4 8h10a5.5 5.5 0 0 1 0 11h-4",

@@ -21,6 +21,8 @@ export interface LineStyle {
   opacity: number;
   /** Length of a dash and of a gap, m; left out: a solid line. */
   dash?: readonly [number, number];
+  /** Whether nothing hides the line. Default false. */
+  onTop?: boolean;
 }
 
 /** Polylines of one style, each in its own colour. */
@@ -35,13 +37,14 @@ export class Lines {
   #count = 0;
   readonly #color = new Color();
 
-  constructor({ width, opacity, dash }: LineStyle) {
+  constructor({ width, opacity, dash, onTop = false }: LineStyle) {
     this.#material = new LineMaterial({
       linewidth: width,
       vertexColors: true,
       transparent: true,
       opacity,
       depthWrite: false,
+      depthTest: !onTop,
       dashed: dash !== undefined,
       ...(dash && { dashSize: dash[0], gapSize: dash[1] }),
     });

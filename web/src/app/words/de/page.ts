@@ -9,6 +9,7 @@ export const texts: Translation<typeof en.page> = {
   "page.table-role": "Billardtisch",
   "page.table-keys":
     "Tisch. Pfeiltasten drehen das Queue und ändern das Tempo, die Eingabetaste stößt, das Fragezeichen zeigt alle Tasten.",
+  "page.draw": "Zeichnen",
   "page.shot": "Stoß",
   "page.settings": "Einstellungen",
 
@@ -85,6 +86,9 @@ export const texts: Translation<typeof en.page> = {
   "help.move": "Kugeln verschieben",
   "help.move-text":
     "Ziehen Sie eine Kugel. Wo sie nicht liegen darf, wird sie rot, die Seite nennt den Grund, und die Kugel geht zurück.",
+  "help.draw": "Zeichnen",
+  "help.draw-text":
+    "Mit dem Stift über dem Tisch zeichnen Sie Linien, Pfeile, Kreise, Flächen und Beschriftungen; sie rasten an Kugeln, Taschen, Diamanten und Treffpunkten ein. Links, Dateien und Bilder enthalten sie.",
   "help.game": "Ein Spiel spielen",
   "help.game-text":
     "Unter Spielen spielen Personen und Maschinen mit Schiedsrichter. Eine Ansage, die nötig ist, folgt dem Ziel; tippen Sie Kugel und Tasche an, um andere anzusagen. Auch Stöße lassen sich rückgängig machen.",
@@ -114,6 +118,7 @@ export const texts: Translation<typeof en.page> = {
   "key.escape": "Wiederholung beenden; beim Zielen: Ausholen abbrechen, Auswahl aufheben",
   "key.undo": "Rückgängig",
   "key.redo": "Wiederholen",
+  "key.draw": "Auf den Tisch zeichnen, oder das Zeichnen beenden",
   "key.top": "Blick von oben",
   "key.orbit": "Freie Kamera",
   "key.cue": "Blick hinter dem Queue",

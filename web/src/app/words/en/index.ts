@@ -3,6 +3,7 @@
 export { texts as aim } from "./aim.ts";
 export { texts as carom } from "./carom.ts";
 export { texts as drills } from "./drills.ts";
+export { texts as draw } from "./draw.ts";
 export { texts as analyse } from "./analyse.ts";
 export { texts as game } from "./game.ts";
 export { texts as layout } from "./layout.ts";

@@ -7,6 +7,7 @@ export const texts = {
   "page.table-role": "billiards table",
   "page.table-keys":
     "Table. Arrow keys turn the cue and change its speed, Enter shoots, question mark lists all keys.",
+  "page.draw": "Draw",
   "page.shot": "Shot",
   "page.settings": "Settings",
 
@@ -82,6 +83,9 @@ export const texts = {
   "help.move": "Move balls",
   "help.move-text":
     "Drag a ball to move it. At a place that is not allowed it turns red, the page gives the reason, and the ball goes back.",
+  "help.draw": "Draw",
+  "help.draw-text":
+    "With the pencil above the table, lines, arrows, circles, areas and labels are drawn on it; they snap to balls, pockets, diamonds and contacts. Links, files and pictures have them.",
   "help.game": "Play a game",
   "help.game-text":
     "Under Play, persons and machines play a frame with a referee. A call that is required follows the aim; tap a ball and a pocket to call others. Undo also takes back shots.",
@@ -111,6 +115,7 @@ export const texts = {
   "key.escape": "End the replay; while aiming: cancel a pull of the cue, clear the selection",
   "key.undo": "Undo",
   "key.redo": "Redo",
+  "key.draw": "Draw on the table, or end it",
   "key.top": "View from above",
   "key.orbit": "Free camera",
   "key.cue": "View from behind the cue",

@@ -8,6 +8,7 @@ export const texts: Translation<typeof en.page> = {
   "page.table": "球台",
   "page.table-role": "台球桌",
   "page.table-keys": "球台。方向键转动球杆、改变杆速，回车键击球，问号键列出所有按键。",
+  "page.draw": "绘图",
   "page.shot": "击球",
   "page.settings": "设置",
 
@@ -76,6 +77,9 @@ export const texts: Translation<typeof en.page> = {
     "打出这一杆。也可以按住球杆向后拉再松开：拉动的距离决定速度；回到起点则不击球。“从这里继续”会从球停下的位置接着打。",
   "help.move": "移动球",
   "help.move-text": "拖动球来移动它。不能放的地方球会变红，页面说明原因，球回到原处。",
+  "help.draw": "绘图",
+  "help.draw-text":
+    "用球台上方的铅笔在台面画直线、箭头、圆、区域和文字；它们会吸附到球、球袋、颗星和碰撞点。链接、文件和图片中都有它们。",
   "help.game": "打比赛",
   "help.game-text":
     "在“对局”中，真人和机器在裁判规则下对局。必须的指定会跟随瞄准；点击球和袋口可以改为指定其他球。击球也可以撤销。",
@@ -103,6 +107,7 @@ export const texts: Translation<typeof en.page> = {
   "key.escape": "结束回放；瞄准时：放开球杆而不击球，取消选择",
   "key.undo": "撤销",
   "key.redo": "重做",
+  "key.draw": "在球台上绘图，或结束绘图",
   "key.top": "俯视",
   "key.orbit": "自由视角",
   "key.cue": "杆后视角",
