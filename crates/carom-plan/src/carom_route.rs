@@ -109,7 +109,7 @@ pub struct CaromPattern {
 }
 
 impl CaromPattern {
-    /// The pattern of a way that reaches two object balls; `None` for another one.
+    /// The pattern of the way that reaches two object balls; `None` for another way.
     pub fn of(way: &CaromWay<'_>) -> Option<Self> {
         let (first, _) = way.first().zip(way.second())?;
         let mut rails = way.rails();

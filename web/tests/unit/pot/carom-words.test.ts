@@ -20,7 +20,7 @@ function routeOf(struck: string, azimuth_deg: number, side: number) {
   return engine.shot(file).simulate().caromRoute();
 }
 
-test("a route is told as players tell it, with the sum of the system", () => {
+test("a route has the words of players, with the sum of the system", () => {
   const route = routeOf("cue", 350.5, 0.3)!;
   expect(patternText(route)).toBe("Around the table, the yellow first");
   expect(routeText(route)).toBe(
