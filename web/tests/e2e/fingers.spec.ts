@@ -78,16 +78,17 @@ test("a sheet steps aside while a finger drags on the table, and a swipe closes 
   const sheet = page.locator("#drawer");
   const covered = (await sheet.boundingBox())!;
   const touch = await finger(page);
+  const opacity = () => sheet.evaluate((one) => getComputedStyle(one).opacity);
   const from = await onPage(page, 0.9, 1.7);
   await touch.down(from);
   await touch.move({ x: from.x + 12, y: from.y });
   await settled(page);
-  expect(await sheet.evaluate((one) => getComputedStyle(one).opacity)).toBe("0");
+  await expect.poll(opacity).toBe("0");
   const under = { x: covered.x + 60, y: covered.y + 60 };
   const found = await page.evaluate((at) => document.elementFromPoint(at.x, at.y)?.id, under);
   expect(found).toBe("table");
   await touch.up();
-  expect(await sheet.evaluate((one) => getComputedStyle(one).opacity)).toBe("1");
+  await expect.poll(opacity).toBe("1");
   const handle = (await page.getByRole("button", { name: "Close the settings" }).boundingBox())!;
   const at = { x: handle.x + handle.width / 2, y: handle.y + handle.height / 2 };
   await touch.down(at);
@@ -96,7 +97,7 @@ test("a sheet steps aside while a finger drags on the table, and a swipe closes 
   await expect.poll(() => sheet.isVisible()).toBe(false);
   await showTab(page, "aim");
   await page.getByRole("button", { name: "Close the settings" }).tap();
-  expect(await sheet.isVisible()).toBe(false);
+  await expect.poll(() => sheet.isVisible()).toBe(false);
 });
 
 test("a ball of the tray goes onto the part of the table that its sheet covers", async ({

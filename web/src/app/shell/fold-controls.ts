@@ -9,6 +9,9 @@ export const FOLDED = "carom:folded";
 /** Pixels of a drag of the handle after which a release closes the sheet. */
 const SWIPE = 40;
 
+/** Pixels within which a press is a tap. */
+const TAP = 8;
+
 /** The handle of a sheet: a tap or a swipe down closes it. */
 export function mountHandle(sheet: HTMLElement, close: () => void): void {
   const name = t("page.close-sheet");
@@ -26,19 +29,17 @@ export function mountHandle(sheet: HTMLElement, close: () => void): void {
     if (from !== null) sheet.style.transform = `translateY(${follow(clientY)}px)`;
   });
   const end = ({ clientY, type }: PointerEvent): void => {
-    const isSwipe = type === "pointerup" && follow(clientY) > SWIPE;
+    if (from === null) return;
+    const way = clientY - from;
     from = null;
     sheet.style.transform = "";
-    // A press without a swipe is a click.
-    if (isSwipe) close();
-    swiped = isSwipe;
+    if (type === "pointerup" && (Math.abs(way) < TAP || way > SWIPE)) close();
   };
-  let swiped = false;
   handle.addEventListener("pointerup", end);
   handle.addEventListener("pointercancel", end);
-  handle.addEventListener("click", () => {
-    if (!swiped) close();
-    swiped = false;
+  // A browser makes no click of a tap soon after a swipe. Keys and Back press without a pointer.
+  handle.addEventListener("click", ({ detail }) => {
+    if (detail === 0) close();
   });
 }
 
