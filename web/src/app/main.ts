@@ -50,7 +50,7 @@ async function start(): Promise<void> {
   };
   const scene = new Scene(store, context);
   scene.update();
-  const mountParts = mountPage(store, context, first.welcome);
+  const mountParts = mountPage(store, context, first);
   window.carom = { store, engine, viewer, scene };
   viewer.resize();
   scene.update();

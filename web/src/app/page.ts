@@ -38,6 +38,8 @@ import { mountFriend } from "./share/friend.ts";
 import { mountReload } from "./share/reload.ts";
 import { mountShare } from "./share/share-menu.ts";
 import type { Store } from "./document/store.ts";
+import type { Start } from "./start.ts";
+import { mountKept } from "./kept/kept.ts";
 import { isBesideTable, mountTabs, whenShown } from "./shell/tabs.ts";
 import { mountTools } from "./shell/header-tools.ts";
 import { mountTheme } from "./shell/theme-choice.ts";
@@ -51,13 +53,15 @@ export function place(id: string): HTMLElement {
   return element;
 }
 
+/** What the page opens with. */
+type Opening = Pick<Start, "welcome" | "isPlain" | "reload">;
+
 /**
  * Mounts header, tabs and dock, which leave the table its room.
  *
- * @param welcome Whether to begin with the first steps.
  * @returns Mounts everything else, which takes longer. The first picture is drawn in between.
  */
-export function mountPage(store: Store, context: Context, welcome: boolean): () => void {
+export function mountPage(store: Store, context: Context, opening: Opening): () => void {
   let openHelp = (): void => undefined;
   mountPresses(document);
   mountTheme(store, context);
@@ -81,12 +85,12 @@ export function mountPage(store: Store, context: Context, welcome: boolean): () 
   });
   mountTools(place("tools"), place("tools-button"));
   return () => {
-    openHelp = mountParts(store, context, welcome);
+    openHelp = mountParts(store, context, opening);
   };
 }
 
 /** @returns Opens the help. */
-function mountParts(store: Store, context: Context, welcome: boolean): () => void {
+function mountParts(store: Store, context: Context, opening: Opening): () => void {
   const table = place("table") as HTMLCanvasElement;
   mountPots(store, context);
   mountRefusal(place("refusal"), store);
@@ -100,14 +104,14 @@ function mountParts(store: Store, context: Context, welcome: boolean): () => voi
   mountWhatIf(place("panel-whatif"), store, context);
   mountGame(place("panel-game"), store, context);
   mountBar(place("game-bar"), store, context);
-  mountTrain(place("panel-train"), store, context);
-  mountShare(place("share"), store, context);
+  const training = mountTrain(place("panel-train"), store, context);
+  mountShare(place("share"), store, context, mountKept(store, context, training, opening));
   mountBack(mountAddress(store, context));
   mountFriend(place("game-bar"), store, context);
   mountReload(store);
   mountDiamonds(place("stage"), store, context);
   mountFilmLegend(place("stage"), store);
-  const showSteps = mountOpening(place("shoot-button"), store, context, welcome);
+  const showSteps = mountOpening(place("shoot-button"), store, context, opening.welcome);
   const openHelp = mountHelp(place("help") as HTMLDialogElement, store, showSteps);
   const closeUp = new AimCloseUp(store, context, () => table.getBoundingClientRect());
   mountDrawMode(store);

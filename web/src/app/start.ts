@@ -18,7 +18,7 @@ import { hasSeenOpening } from "./help/opening.ts";
 import { replay } from "./replay/replay-control.ts";
 import { type LinkContents, readAddress, showTime } from "./share/address.ts";
 import { LinkError } from "./share/link.ts";
-import { takeKept, wasSilent } from "./share/reload.ts";
+import { isReload, takeKept, wasSilent } from "./share/reload.ts";
 import { t } from "./words/translate.ts";
 
 export interface Start {
@@ -26,6 +26,13 @@ export interface Start {
   readonly view: View;
   /** Whether to begin with the first steps: the page was opened for the first time, without a document. */
   readonly welcome: boolean;
+  /** Whether the page was opened at its plain address, so that it can offer what was kept. */
+  readonly isPlain: boolean;
+  /**
+   * What the page shows after it was loaded again: "whole", the document of before without its history;
+   * "lost", another one. Null: it was not loaded again.
+   */
+  readonly reload: "whole" | "lost" | null;
   /** Runs once the page is mounted: shows a replay, or reports what could not be opened. */
   begin(store: Store, context: Context): void;
 }
@@ -36,18 +43,26 @@ const FIRST_SHOT: ShotFile = {
   strike: { ball: "cue", speed: 2, azimuth_deg: 66.8, height: -0.2 },
 };
 
+/** A start without what a reload tells. */
+type Shown = Omit<Start, "reload">;
+
 export async function startOf(engine: Engine): Promise<Start> {
+  const kept = await fromLink(engine, documentOf(FIRST_SHOT), takeKept);
+  if (kept) return { ...kept, reload: "whole" };
+  return { ...(await firstOf(engine)), reload: isReload() ? "lost" : null };
+}
+
+async function firstOf(engine: Engine): Promise<Shown> {
   const first = documentOf(FIRST_SHOT);
   const element = document.getElementById("carom-document");
   const embedded = element?.textContent.trim() ?? "";
   const plays = element?.dataset.play !== undefined;
-  const kept = await fromLink(engine, first, takeKept);
-  if (kept) return kept;
   if (isMatchText(embedded)) return ofMatch(first, embedded);
   if (embedded !== "") return fromEmbedded(engine, first, embedded, plays);
   const linked = await fromLink(engine, first, readAddress);
-  if (linked || hasSeenOpening()) return linked ?? showing(first);
-  return { ...showing(documentOf(LESSONS[0]!.shot)), welcome: true };
+  if (linked) return linked;
+  if (hasSeenOpening()) return { ...showing(first), isPlain: true };
+  return { ...showing(documentOf(LESSONS[0]!.shot)), welcome: true, isPlain: true };
 }
 
 /**
@@ -55,7 +70,7 @@ export async function startOf(engine: Engine): Promise<Start> {
  *
  * @param plays Whether a trace plays at once; otherwise its replay waits at the start.
  */
-function fromEmbedded(engine: Engine, first: Document, json: string, plays: boolean): Start {
+function fromEmbedded(engine: Engine, first: Document, json: string, plays: boolean): Shown {
   try {
     const { shot, trace, filmed } = readFile(engine, json);
     engine.shot(shot).free();
@@ -73,7 +88,7 @@ function fromEmbedded(engine: Engine, first: Document, json: string, plays: bool
 }
 
 /** Opens the match that is embedded in the page, once the page is mounted. */
-function ofMatch(first: Document, text: string): Start {
+function ofMatch(first: Document, text: string): Shown {
   const begin = (store: Store, context: Context) => {
     void openMatch(store, context, text).catch((error: unknown) => {
       if (!(error instanceof CaromError)) console.error(error);
@@ -88,7 +103,7 @@ async function fromLink(
   engine: Engine,
   first: Document,
   read: (engine: Engine) => Slices<LinkContents | null>,
-): Promise<Start | null> {
+): Promise<Shown | null> {
   try {
     const contents = await inSlices(read(engine));
     if (!contents) return null;
@@ -98,7 +113,7 @@ async function fromLink(
       if (read === readAddress || wasSilent()) store.setPart("replay", { sound: false });
       showTime(store, engine, time);
     };
-    return { document, view, welcome: false, begin };
+    return { document, view, welcome: false, isPlain: false, begin };
   } catch (error) {
     if (error instanceof LinkError) return refusing(first, error.message);
     // Our own bug must not leave the user with an empty page.
@@ -107,10 +122,16 @@ async function fromLink(
   }
 }
 
-function showing(document: Document): Start {
-  return { document, view: FIRST_VIEW, welcome: false, begin: () => undefined };
+function showing(document: Document): Shown {
+  return {
+    document,
+    view: FIRST_VIEW,
+    welcome: false,
+    isPlain: false,
+    begin: () => undefined,
+  };
 }
 
-function refusing(first: Document, message: string): Start {
+function refusing(first: Document, message: string): Shown {
   return { ...showing(first), begin: (store) => store.refuse(message) };
 }

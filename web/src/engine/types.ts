@@ -40,6 +40,9 @@ export type DrawnMark = { readonly color: MarkColor } & (
   | { readonly kind: "label"; readonly at: Point; readonly text: string }
 );
 
+/** The most samples of a filmed ball. */
+export const MOST_SAMPLES = 10_000;
+
 /** Where a camera saw a ball. */
 export interface FilmedBall {
   /** Id of the ball. */

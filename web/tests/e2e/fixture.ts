@@ -65,8 +65,8 @@ interface Used {
 
 /**
  * The tabs of a file. A test gets a new document in a tab that an earlier test has left: the browser's
- * process for the tab has the page's scripts, WebAssembly and shaders compiled already, and the page
- * stores nothing but a language that the user chose. A test that chooses one has a tab of its own.
+ * process for the tab has the page's scripts, WebAssembly and shaders compiled already. What the page keeps
+ * of a test is deleted, except a language that the user chose: a test that chooses one has a tab of its own.
  */
 class Tabs {
   readonly #browser: Browser;
@@ -105,6 +105,9 @@ class Tabs {
     await page.goto("about:blank");
     const session = await page.context().newCDPSession(page);
     await session.send("Page.resetNavigationHistory");
+    // The next test has nothing to continue.
+    const storage = { origin: new URL(inject("page")).origin, storageTypes: "indexeddb" };
+    await session.send("Storage.clearDataForOrigin", storage);
     await session.detach();
     this.#free.set(kind, [...(this.#free.get(kind) ?? []), page]);
   }

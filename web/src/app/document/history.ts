@@ -8,6 +8,18 @@ interface Entry<T> {
   readonly group: string | null;
 }
 
+/** A state with the name of the change that led to it. */
+export interface Step<T> {
+  readonly state: T;
+  readonly label: string;
+}
+
+/** A whole history as plain values: the states in the order of time, and the index of the present one. */
+export interface Steps<T> {
+  readonly steps: readonly Step<T>[];
+  readonly at: number;
+}
+
 export class History<T> {
   #past: Entry<T>[] = [];
   #present: Entry<T>;
@@ -15,6 +27,38 @@ export class History<T> {
 
   constructor(state: T) {
     this.#present = { state, label: "", group: null };
+  }
+
+  /** The history of some steps. */
+  static of<T>({ steps, at }: Steps<T>): History<T> {
+    const entries = steps.map(({ state, label }) => ({ state, label, group: null }));
+    const history = new History(entries[at]!.state);
+    history.#past = entries.slice(0, at);
+    history.#present = entries[at]!;
+    history.#future = entries.slice(at + 1).reverse();
+    return history;
+  }
+
+  get steps(): Steps<T> {
+    const all = [...this.#past, this.#present, ...[...this.#future].reverse()];
+    return { steps: all.map(({ state, label }) => ({ state, label })), at: this.#past.length };
+  }
+
+  /**
+   * Adds what was done before the first state.
+   *
+   * @param label Name of the change that led to the first state.
+   * @param future What undo had taken back; it is dropped if something has changed since.
+   */
+  precede(past: readonly Step<T>[], label: string, future: readonly Step<T>[]): void {
+    const entry = ({ state, label: name }: Step<T>) => ({ state, label: name, group: null });
+    const isFirst = this.#past.length === 0;
+    const first = isFirst ? this.#present : this.#past[0]!;
+    const named = { ...first, label };
+    if (isFirst) this.#present = named;
+    else this.#past[0] = named;
+    this.#past = [...past.map(entry), ...this.#past];
+    if (isFirst && this.#future.length === 0) this.#future = [...future].reverse().map(entry);
   }
 
   get present(): T {

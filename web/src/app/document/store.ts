@@ -2,8 +2,8 @@
  * The state of the page and the only place where it changes.
  *
  * A document that the engine refuses never becomes the present one: `apply` then leaves the state as it
- * was and stores the reason in `session.refusal`. The present document and all states of the history
- * are therefore valid.
+ * was and stores the reason in `session.refusal`. The present document is therefore valid, and so are the
+ * states of the history, except those that another version of the page has kept.
  */
 
 import {
@@ -12,7 +12,6 @@ import {
   type PotAim,
   type Shot,
   type StrikeEntry,
-  type Trace,
 } from "../../engine/index.ts";
 import {
   FIRST_SESSION,
@@ -25,9 +24,10 @@ import {
 } from "./document.ts";
 import type { Game } from "./stored-game.ts";
 import { errorText } from "../common/refusals.ts";
+import { type Ghost, simulate } from "./ghost.ts";
 import { inSlices, type Slices } from "../common/slices.ts";
 import { azimuthOfAim, lockOf, steered } from "./pot-lock.ts";
-import { History } from "./history.ts";
+import { History, type Step, type Steps } from "./history.ts";
 import { anglesOf, changed, STRIKE_NUMBERS } from "./strike-angles.ts";
 
 /** Reads a shot, or throws a `CaromError`: the engine, or in a game the referee. */
@@ -43,14 +43,6 @@ export interface State {
 
 /** Called after every change. Parts that did not change are the same objects in both states. */
 export type Listener = (now: State, before: State) => void;
-
-/** The simulation of the present shot, or the reason why it cannot be simulated. */
-export interface Ghost {
-  readonly trace: Trace | null;
-  readonly error: string | null;
-  /** How long the engine took, ms. */
-  readonly milliseconds: number;
-}
 
 /** The first of some pockets into which a ball can be potted. */
 export interface PotQuestion {
@@ -71,7 +63,7 @@ export type PotSolver = (question: PotQuestion, answer: (found: FoundPot | null)
 
 export class Store {
   readonly #compiler: Compiler;
-  readonly #history: History<Document>;
+  #history: History<Document>;
   readonly #listeners = new Set<Listener>();
   #view: View;
   #session: Session = FIRST_SESSION;
@@ -221,11 +213,44 @@ export class Store {
   }
 
   undo(): boolean {
-    return this.#travel(() => this.#history.undo());
+    return this.#travel(
+      () => this.#history.undo(),
+      () => this.#history.redo(),
+    );
   }
 
   redo(): boolean {
-    return this.#travel(() => this.#history.redo());
+    return this.#travel(
+      () => this.#history.redo(),
+      () => this.#history.undo(),
+    );
+  }
+
+  /** All states that undo and redo can restore, and the present one. */
+  get steps(): Steps<Document> {
+    return this.#history.steps;
+  }
+
+  /**
+   * Shows the present state of `steps`, with their undo and redo.
+   *
+   * @returns Whether the engine accepts it; if not, `session.refusal` has the reason.
+   */
+  resume(steps: Steps<Document>): boolean {
+    const before = this.state;
+    const isAccepted = this.#compile(steps.steps[steps.at]!.state);
+    if (isAccepted) {
+      this.#history = History.of(steps);
+      this.#session = { ...aiming(this.#session), lock: null };
+    }
+    this.#notify(before);
+    return isAccepted;
+  }
+
+  /** Adds what was done before the first state of this page; see `History.precede`. */
+  precede(past: readonly Step<Document>[], label: string, future: readonly Step<Document>[]): void {
+    this.#history.precede(past, label, future);
+    this.#notify(this.state);
   }
 
   setView(patch: Partial<View>): void {
@@ -279,9 +304,9 @@ export class Store {
     return [{ ...next, shot: aimed.shot }, aimed.lock];
   }
 
-  #compile(document: Document): boolean {
+  #compile(document: Document, read = () => this.#read(document)): boolean {
     try {
-      this.#adopt(this.#read(document));
+      this.#adopt(read());
       return true;
     } catch (error) {
       if (!(error instanceof CaromError)) throw error;
@@ -312,11 +337,17 @@ export class Store {
     this.#ghost = null;
   }
 
-  #travel(step: () => boolean): boolean {
+  /** @param back Takes `step` back: a state of a history that was kept may be one that the engine refuses. */
+  #travel(step: () => boolean, back: () => boolean): boolean {
     const before = this.state;
     if (!step()) return false;
     const now = this.document;
-    if (isOtherShot(now, before.document)) this.#adopt(this.#compiler.shot(now.shot, now.game));
+    const read = () => this.#compiler.shot(now.shot, now.game);
+    if (isOtherShot(now, before.document) && !this.#compile(now, read)) {
+      back();
+      this.#notify(before);
+      return false;
+    }
     this.#session = { ...aiming(this.#session), lock: null };
     this.#notify(before);
     return true;
@@ -351,15 +382,4 @@ function sameButForStrike(a: AimedShot, b: AimedShot): boolean {
       (key) => except.includes(key) || x[key as keyof T] === y[key as keyof T],
     );
   return same(a, b, ["strike"]) && same(a.strike, b.strike, STRIKE_NUMBERS);
-}
-
-function simulate(shot: Shot): Ghost {
-  const start = performance.now();
-  const took = () => performance.now() - start;
-  try {
-    return { trace: shot.simulate(), error: null, milliseconds: took() };
-  } catch (error) {
-    if (!(error instanceof CaromError)) throw error;
-    return { trace: null, error: errorText(error, shot.balls), milliseconds: took() };
-  }
 }

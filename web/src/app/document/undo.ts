@@ -5,15 +5,13 @@ import type { Store } from "./store.ts";
 import { t } from "../words/translate.ts";
 
 export function undo(store: Store, context: Context): void {
-  const label = store.undoLabel;
-  context.announce(
-    store.undo() ? t("history.undone", { change: label ?? "" }) : t("history.nothing-to-undo"),
-  );
+  const change = store.undoLabel;
+  if (change === null) context.announce(t("history.nothing-to-undo"));
+  else if (store.undo()) context.announce(t("history.undone", { change }));
 }
 
 export function redo(store: Store, context: Context): void {
-  const label = store.redoLabel;
-  context.announce(
-    store.redo() ? t("history.redone", { change: label ?? "" }) : t("history.nothing-to-redo"),
-  );
+  const change = store.redoLabel;
+  if (change === null) context.announce(t("history.nothing-to-redo"));
+  else if (store.redo()) context.announce(t("history.redone", { change }));
 }

@@ -7,7 +7,18 @@ import { KEYS } from "../input/keys.ts";
 import { languageChoice } from "../shell/language.ts";
 import { named, t } from "../words/translate.ts";
 
-const TOPICS = ["pot", "aim", "strike", "ahead", "shoot", "move", "draw", "game", "else"] as const;
+const TOPICS = [
+  "pot",
+  "aim",
+  "strike",
+  "ahead",
+  "shoot",
+  "move",
+  "draw",
+  "game",
+  "keep",
+  "else",
+] as const;
 
 /** @returns A function that opens the help. */
 export function mountHelp(

@@ -65,7 +65,6 @@ export function* readLink(engine: Engine, fragment: string): Slices<LinkContents
 function* checked(engine: Engine, state: LinkState): Slices<LinkContents> {
   const { shot, noise, seed, game, view, time } = state;
   engine.shot(shot).free();
-  if (noise) engine.checkNoise(noise);
   function* treeOf(text: string | null): Slices<Tree | undefined> {
     return text === null ? undefined : yield* treeReading(text, treeEngine(engine));
   }
@@ -73,29 +72,36 @@ function* checked(engine: Engine, state: LinkState): Slices<LinkContents> {
     ...splitFilm(aimed(shot)),
     noise,
     seed,
-    game: game && checkedGame(engine, game),
+    game,
     tree: yield* treeOf(state.tree),
     study: state.study
       ? {
           ...state.study,
-          game: checkedGame(engine, state.study.game),
           shot: aimed(state.study.shot),
           tree: yield* treeOf(state.study.tree),
         }
       : undefined,
   };
-  const { study } = document;
-  if (game) yield* replayed(engine, game);
-  referee(engine).shot(document.shot, game).free();
-  if (study) {
-    yield* replayed(engine, study.game);
-    referee(engine).shot(study.shot, study.game).free();
-  }
+  yield* checkDocument(engine, document);
   return { document, view, time };
 }
 
+/**
+ * Checks a document that comes from outside. A slice has one shot of its game.
+ *
+ * @throws CaromError if the engine or the referee refuses a part of it.
+ */
+export function* checkDocument(engine: Engine, document: Document): Slices<void> {
+  const { shot, noise, game, study } = document;
+  if (noise) engine.checkNoise(noise);
+  for (const part of [{ shot, game }, ...(study ? [study] : [])]) {
+    if (part.game) yield* replayed(engine, checkedGame(engine, part.game));
+    referee(engine).shot(part.shot, part.game).free();
+  }
+}
+
 /** @throws CaromError if there is no such level of play. */
-function checkedGame(engine: Engine, game: Game): Game {
+export function checkedGame(engine: Engine, game: Game): Game {
   for (const skill of game.setup.skills) {
     if (skill === null || Object.hasOwn(engine.noisePresets, skill)) continue;
     throw new PageError(t("refused.level", { level: skill }), "game.setup.skills");

@@ -121,7 +121,7 @@ function broken(place: string, found: unknown, remedy: string): LinkError {
   return new LinkError(t("link.refused", { why }));
 }
 
-function noiseOf(data: unknown): Noise | null {
+export function noiseOf(data: unknown): Noise | null {
   if (data === undefined || data === null) return null;
   if (!isRecord(data)) throw broken("noise", data, "write an object with five standard deviations");
   const value: Readonly<Record<string, unknown>> = { ...CLING, ...withNewKeys(data).value };
@@ -133,7 +133,7 @@ function noiseOf(data: unknown): Noise | null {
   return Object.fromEntries(entries) as unknown as Noise;
 }
 
-function seedOf(seed: unknown = 0): number {
+export function seedOf(seed: unknown = 0): number {
   if (typeof seed === "number" && Number.isSafeInteger(seed) && seed >= 0) return seed;
   throw broken("seed", seed, `write a whole number from 0 to ${Number.MAX_SAFE_INTEGER}`);
 }
@@ -175,7 +175,7 @@ function isVariations(data: unknown, moves: number): boolean {
 }
 
 /** Checks a game's structure; the referee checks whether its moves are allowed. */
-function gameOf(data: unknown): Game | null {
+export function gameOf(data: unknown): Game | null {
   if (data === undefined || data === null) return null;
   const isPair = (value: unknown, type: (one: unknown) => boolean) =>
     Array.isArray(value) && value.length === 2 && value.every(type);
@@ -245,7 +245,7 @@ function isRace(race: unknown): boolean {
   );
 }
 
-function isWhole(value: unknown, least: number, most: number): boolean {
+export function isWhole(value: unknown, least: number, most: number): boolean {
   return Number.isInteger(value) && (value as number) >= least && (value as number) <= most;
 }
 
@@ -276,6 +276,6 @@ function isText(value: unknown): value is string {
   return typeof value === "string";
 }
 
-function isRecord(value: unknown): value is Record<string, unknown> {
+export function isRecord(value: unknown): value is Record<string, unknown> {
   return typeof value === "object" && value !== null && !Array.isArray(value);
 }

@@ -20,8 +20,22 @@ const LARGEST = 50e6;
 
 const OPEN_ICON = "M4 19V6h5l2 2h9v11zM4 11h16";
 
-/** Opens a shot file, a trace, or a file with the text of a link. A file that cannot be opened changes nothing. */
-export async function openFile(file: File, store: Store, context: Context): Promise<void> {
+/** Opens a text that is a file of another part of the page; null if it is none. */
+export type Opener = (file: {
+  readonly name: string;
+  readonly text: string;
+}) => Promise<void> | null;
+
+/**
+ * Opens a shot file, a trace, a file with the text of a link, or one that `other` opens. A file that cannot be
+ * opened changes nothing.
+ */
+export async function openFile(
+  file: File,
+  store: Store,
+  context: Context,
+  other: Opener,
+): Promise<void> {
   if (file.size > LARGEST) {
     store.refuse(t("open.too-large", { file: file.name, megabytes: decimal(file.size / 1e6, 0) }));
     return;
@@ -38,7 +52,10 @@ export async function openFile(file: File, store: Store, context: Context): Prom
     await openText(store, context, link);
     return;
   }
-  if (await open(store, context, text)) context.announce(t("open.opened", { file: file.name }));
+  const opening = other({ name: file.name, text });
+  if (opening) await opening;
+  else if (await open(store, context, text))
+    context.announce(t("open.opened", { file: file.name }));
 }
 
 /**
@@ -75,7 +92,7 @@ function recordIn(json: string): FrameRecord | null {
 }
 
 /** The button that opens a file. */
-export function openButton(store: Store, context: Context): HTMLElement {
+export function openButton(store: Store, context: Context, other: Opener): HTMLElement {
   const input = h("input", {
     type: "file",
     accept: ".json,.jsonl,.txt,application/json,application/jsonl,text/plain",
@@ -86,7 +103,7 @@ export function openButton(store: Store, context: Context): HTMLElement {
   input.addEventListener("change", () => {
     const file = input.files?.[0];
     input.value = ""; // the same file can be chosen again
-    if (file) void openFile(file, store, context);
+    if (file) void openFile(file, store, context, other);
   });
   const button = h(
     "button",
@@ -105,7 +122,7 @@ export function openButton(store: Store, context: Context): HTMLElement {
 }
 
 /** Opens files that are dropped on the page. */
-export function mountDrop(store: Store, context: Context): void {
+export function mountDrop(store: Store, context: Context, other: Opener): void {
   const veil = h("div", { class: "drop", hidden: true, "aria-hidden": "true" }, t("open.drop"));
   document.body.append(veil);
   const hasFile = (event: DragEvent): boolean => !!event.dataTransfer?.types.includes("Files");
@@ -123,6 +140,6 @@ export function mountDrop(store: Store, context: Context): void {
     event.preventDefault();
     const files = event.dataTransfer?.files ?? [];
     if (files.length > 1) store.refuse(t("open.one"));
-    else if (files[0]) void openFile(files[0], store, context);
+    else if (files[0]) void openFile(files[0], store, context, other);
   });
 }

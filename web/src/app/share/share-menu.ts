@@ -10,7 +10,7 @@ import type { Store } from "../document/store.ts";
 import { isLocal, link, linkText, ownHost } from "./address.ts";
 import { copy } from "./clipboard.ts";
 import { download } from "./download.ts";
-import { mountDrop, openButton } from "./open-files.ts";
+import { mountDrop, openButton, type Opener } from "./open-files.ts";
 import { filmSection } from "./film.ts";
 import { toPrettyJson } from "./literal.ts";
 import { gameProgram, pythonProgram } from "./python.ts";
@@ -18,7 +18,8 @@ import { t } from "../words/translate.ts";
 
 const SHARE_ICON = "M12 15V4M8 7.5 12 4l4 3.5M5 12v7h14v-7";
 
-export function mountShare(root: HTMLElement, store: Store, context: Context): void {
+/** @param other Opens files of another part of the page. */
+export function mountShare(root: HTMLElement, store: Store, context: Context, other: Opener): void {
   const title = h("h2", { id: uniqueId("share") }, t("share.title"));
   const dialog = h("dialog", { id: "share-dialog", "aria-labelledby": title.id });
   const close = action(t("share.close"), "close-share", () => dialog.close());
@@ -84,8 +85,8 @@ export function mountShare(root: HTMLElement, store: Store, context: Context): v
     icon(SHARE_ICON),
     h("span", {}, t("share.share")),
   );
-  root.append(openButton(store, context), share);
-  mountDrop(store, context);
+  root.append(openButton(store, context, other), share);
+  mountDrop(store, context, other);
 }
 
 /** The shot file, with what a camera saw of it. */

@@ -55,8 +55,12 @@ export function mountHistory(root: HTMLElement, store: Store, context: Context):
     back.setAttribute("aria-disabled", String(undoLabel === null));
     again.setAttribute("aria-disabled", String(redoLabel === null));
   };
-  store.subscribe((now, before) => {
-    if (now.document !== before.document) show();
+  // What was done before the page was loaded again comes without a change of the document.
+  let shown = "";
+  store.subscribe(() => {
+    const labels = JSON.stringify([store.undoLabel, store.redoLabel]);
+    if (labels !== shown) show();
+    shown = labels;
   });
   show();
 }

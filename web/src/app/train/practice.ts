@@ -144,6 +144,12 @@ export class Practice {
     if (!this.#running) return null;
     if (this.#page && this.#page.verdict !== null) this.#pronounce(this.#page, false);
     if (this.#page) leave(this.#store);
+    return this.snapshot();
+  }
+
+  /** As `keep`, but nothing changes: a shot whose replay has not ended does not count. */
+  snapshot(): { readonly kept: KeptPractice; readonly before: Document | null } | null {
+    if (!this.#running) return null;
     const { drill, ...running } = this.#running;
     const page = this.#page && { set: this.#page.set, seed: this.#page.seed };
     const shown = this.#store.session.activity === "train";

@@ -20,11 +20,20 @@ export function practiceOfText(text: string): StoredPractice | null {
 }
 
 function isStored(data: unknown): data is StoredPractice {
-  if (!isRecord(data) || !isRecord(data.kept)) return false;
+  if (!isRecord(data)) return false;
   const { before } = data;
-  const { running, page } = data.kept;
+  return (before === null || typeof before === "string") && practiceOf(data.kept) !== null;
+}
+
+/** The practice of plain values; null if they are damaged. */
+export function practiceOf(data: unknown): KeptPractice | null {
+  return isPractice(data) ? data : null;
+}
+
+function isPractice(data: unknown): data is KeptPractice {
+  if (!isRecord(data)) return false;
+  const { running, page } = data;
   return (
-    (before === null || typeof before === "string") &&
     isRecord(running) &&
     typeof running.drill === "string" &&
     (running.place === "page" || running.place === "table") &&

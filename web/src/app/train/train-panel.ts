@@ -13,7 +13,12 @@ import { browserBox, Keeper } from "./progress/progress-keeper.ts";
 import { mountRun } from "./practice-run.ts";
 import { mountSheetForm } from "./sheet-form.ts";
 
-export function mountTrain(root: HTMLElement, store: Store, context: Context): void {
+/** @returns What is practised, and the progress. */
+export function mountTrain(
+  root: HTMLElement,
+  store: Store,
+  context: Context,
+): Pick<Trainer, "practice" | "keeper"> {
   const keeper = new Keeper(browserBox());
   const practice = new Practice(store, context, keeper);
   let page: Page = { kind: "overview" };
@@ -61,6 +66,7 @@ export function mountTrain(root: HTMLElement, store: Store, context: Context): v
   });
   mountKept(practice, store, context.engine);
   if (store.session.activity === "train") show(false);
+  return { practice, keeper };
 }
 
 /** The id of the element in a root that has the focus; "" if it has none, null without focus. */

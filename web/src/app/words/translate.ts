@@ -112,6 +112,11 @@ export function capital(text: string): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
+/** A time of the user's day: "26 Nov 2026, 21:40". */
+export function dateAndTime(time: Date): string {
+  return formats.moment().format(time);
+}
+
 function formatsOf(to: Language) {
   const tag = LANGUAGES[to].formats;
   return {
@@ -120,6 +125,7 @@ function formatsOf(to: Language) {
     numbers: new Map<number, Intl.NumberFormat>(),
     conjunction: once(() => new Intl.ListFormat(tag, { type: "conjunction" })),
     disjunction: once(() => new Intl.ListFormat(tag, { type: "disjunction" })),
+    moment: once(() => new Intl.DateTimeFormat(tag, { dateStyle: "medium", timeStyle: "short" })),
     month: once(
       () => new Intl.DateTimeFormat(tag, { month: "short", year: "numeric", timeZone: "UTC" }),
     ),

@@ -52,13 +52,22 @@ export class DamagedProgress extends Error {
   }
 }
 
-export function progressToText({ results, puzzles }: Progress): string {
-  return `${JSON.stringify({ format: FORMAT, results, puzzles })}\n`;
+export function progressToText(progress: Progress): string {
+  return `${JSON.stringify(progressToData(progress))}\n`;
+}
+
+/** The progress as it is in a file. */
+export function progressToData({ results, puzzles }: Progress): object {
+  return { format: FORMAT, results, puzzles };
 }
 
 /** @throws {DamagedProgress} */
 export function progressOfText(text: string): Progress {
-  const file = parsed(text);
+  return progressOfData(parsed(text));
+}
+
+/** @throws {DamagedProgress} */
+export function progressOfData(file: unknown): Progress {
   if (!isObject(file) || file.format !== FORMAT) throw new DamagedProgress("format");
   return {
     results: listOf(file, "results").map((entry, k) => resultOf(entry, `results[${k}]`)),

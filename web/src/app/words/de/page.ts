@@ -62,8 +62,7 @@ export const texts: Translation<typeof en.page> = {
   "steps.skip": "Später",
   "steps.wait": "Die ersten Schritte warten: Rückgängig bringt sie zurück.",
   "language.label": "Sprache",
-  "language.hint":
-    "Die Seite lädt neu, mit demselben Stoß und Spiel. Frühere Änderungen lassen sich dann nicht mehr rückgängig machen.",
+  "language.hint": "Die Seite lädt neu, mit allem, wie es jetzt ist.",
   "language.not-stored":
     "Der Browser lässt diese Seite die Sprache nicht speichern: Öffnen Sie die Seite in einem eigenen Tab, oder ändern Sie die Sprache des Browsers.",
 
@@ -92,6 +91,9 @@ export const texts: Translation<typeof en.page> = {
   "help.game": "Ein Spiel spielen",
   "help.game-text":
     "Unter Spielen spielen Personen und Maschinen mit Schiedsrichter. Eine Ansage, die nötig ist, folgt dem Ziel; tippen Sie Kugel und Tasche an, um andere anzusagen. Auch Stöße lassen sich rückgängig machen.",
+  "help.keep": "Später weitermachen",
+  "help.keep-text":
+    "Schließen Sie die Seite jederzeit: Beim nächsten Öffnen bietet sie an, fortzusetzen. Unter „Spielen“ stehen Ihre Spiele; dort lässt sich alles als Datei speichern und zurückholen.",
   "help.else": "Alles andere",
   "help.else-text":
     "Unter Lage stehen Aufbau, Tische und Kugeln, unter Physik Tuch, Kugeln und Banden mit ihren Zahlen.",

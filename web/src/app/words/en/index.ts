@@ -6,6 +6,7 @@ export { texts as drills } from "./drills.ts";
 export { texts as draw } from "./draw.ts";
 export { texts as analyse } from "./analyse.ts";
 export { texts as game } from "./game.ts";
+export { texts as kept } from "./kept.ts";
 export { texts as layout } from "./layout.ts";
 export { texts as page } from "./page.ts";
 export { texts as physics } from "./physics.ts";

@@ -59,8 +59,7 @@ export const texts = {
   "steps.skip": "Skip",
   "steps.wait": "The first steps wait: Undo brings them back.",
   "language.label": "Language",
-  "language.hint":
-    "The page loads again with the same shot and game. Earlier changes can then not be undone.",
+  "language.hint": "The page loads again, with everything as it is now.",
   "language.not-stored":
     "The browser does not let this page store the language: open the page in a tab of its own, or change the language of the browser.",
 
@@ -89,6 +88,9 @@ export const texts = {
   "help.game": "Play a game",
   "help.game-text":
     "Under Play, persons and machines play a frame with a referee. A call that is required follows the aim; tap a ball and a pocket to call others. Undo also takes back shots.",
+  "help.keep": "Continue later",
+  "help.keep-text":
+    "Close the page whenever you like: it offers to continue when you open it again. Under Play it lists your games, saves everything as a file and reads it back.",
   "help.else": "Everything else",
   "help.else-text":
     "Layout has racks, tables and balls; Physics has cloth, balls and rails, and their numbers.",

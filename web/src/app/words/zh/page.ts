@@ -58,7 +58,7 @@ export const texts: Translation<typeof en.page> = {
   "steps.skip": "跳过",
   "steps.wait": "入门步骤暂停：撤销即可恢复。",
   "language.label": "语言",
-  "language.hint": "页面会重新加载，保留同一杆球和比赛。之前的改动将不能再撤销。",
+  "language.hint": "页面会重新加载，一切保持现状。",
   "language.not-stored":
     "浏览器不允许本页面保存语言：请在单独的标签页中打开本页面，或更改浏览器的语言。",
 
@@ -83,6 +83,9 @@ export const texts: Translation<typeof en.page> = {
   "help.game": "打比赛",
   "help.game-text":
     "在“对局”中，真人和机器在裁判规则下对局。必须的指定会跟随瞄准；点击球和袋口可以改为指定其他球。击球也可以撤销。",
+  "help.keep": "稍后继续",
+  "help.keep-text":
+    "随时可以关闭页面：再次打开时会提示继续。“对局”下列有您的比赛，可将全部内容存为文件并恢复。",
   "help.else": "其他",
   "help.else-text": "“布局”中有摆球、球台和球；“物理”中有台呢、球和库边及其数值。",
   "help.keys": "按键",
