@@ -155,6 +155,9 @@ def test_any_object_with_draws_will_do_and_a_ball_at_a_cushion_is_moved_by_milli
     assert [table.n for table in found.by_table] == [32, 32]
     with pytest.raises(InputError, match=r"draws\[1\]: balls\[1\].position: .*tolerance of 5e-3"):
         frozen.evaluate(CLUB, 64, posterior=of_length(2.54, 2.53), draws=2)
+    # A draw that contradicts the place of a ball is left out while most remain.
+    found = frozen.evaluate(CLUB, 64, posterior=of_length(2.54, 2.53, 2.541, 2.539), draws=4)
+    assert [table.n for table in found.by_table] == [22, 21, 21]
 
 
 def test_a_place_of_the_map_without_room_on_a_drawn_table_has_no_chance() -> None:

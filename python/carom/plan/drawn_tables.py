@@ -17,8 +17,9 @@ if TYPE_CHECKING:
 
 # Balls that overlap each other or a cushion by at most this on a drawn table are moved apart, m.
 # Nose lines that were learned from a film differ by millimetres; a ball that is deeper in a rail
-# lies on another table.
+# contradicts this draw, which is left out.
 _REPAIRED = 0.005
+_NO_ROOM = ("overlap", "in-cushion")
 # Most drawn tables, as in Rust.
 _MOST_TABLES = 1000
 
@@ -64,7 +65,8 @@ def on_drawn_tables(
     """The shot on the learned table, and on ``draws`` tables that may be the true one.
 
     Without a posterior they are the shot itself and none. Balls that overlap on a table are moved
-    apart by up to 5 mm.
+    apart by up to 5 mm. A table on which they overlap by more is left out: they could not lie
+    there. At least half of the tables, and two, must remain.
 
     Args:
         shot: The balls and the strike.
@@ -75,8 +77,8 @@ def on_drawn_tables(
         frame: The frame that requests the shot, if there is one.
 
     Raises:
-        InputError: A number is out of range, the posterior is none, balls have no room on a table,
-            or the table of the frame is not the learned one.
+        InputError: A number is out of range, the posterior is none, balls have no room on most of
+            the tables, or the table of the frame is not the learned one.
     """
     core_of(shot)
     count = whole("draws", draws, _MOST_TABLES + 1, low=2)
@@ -97,11 +99,19 @@ def on_drawn_tables(
             "its table and physics are not those of the posterior",
             "make it with table=posterior.table and physics=posterior.physics",
         )
-    drawn = list(posterior.draw(count, seed))
-    return planned, [
-        core_of(_moved(shot, one, f"draws[{index}]", own_elevation=False))
-        for index, one in enumerate(drawn)
-    ]
+    drawn: list[_core.Shot] = []
+    refused: list[InputError] = []
+    for index, one in enumerate(posterior.draw(count, seed)):
+        try:
+            drawn.append(core_of(_moved(shot, one, f"draws[{index}]", own_elevation=False)))
+        except InputError as error:
+            if error.kind not in _NO_ROOM:
+                raise
+            refused.append(error)
+    # A few draws are far out; if most have no room, the posterior is of another table.
+    if len(drawn) < max(2, count / 2):
+        raise refused[0]
+    return planned, drawn
 
 
 def on_learned_table(shot: carom.Shot, posterior: TablePosterior) -> carom.Shot:

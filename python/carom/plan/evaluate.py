@@ -303,15 +303,16 @@ def evaluate(
             then planned on the learned table in place of its own, and variant k is played on table
             k modulo ``draws`` of those that may be the true one. The strikes are the same on all
             tables. A frame must have the learned table.
-        draws: Number of these tables, from 2 to 1000.
+        draws: Number of these tables, from 2 to 1000. Those on which balls overlap by more than
+            5 mm are left out.
         level: Confidence level of the intervals, in (0, 1).
         threads: Number of threads; None is one per core. The result does not depend on it.
         progress: Show a progress bar on stderr.
 
     Raises:
         InputError: The shot has no strike, a number is out of range, there is no such ball or
-            pocket to watch, the frame requests another shot, or balls have no room on a table: they
-            overlap there by more than 5 mm.
+            pocket to watch, the frame requests another shot, or balls have no room on most drawn
+            tables: they overlap there by more than 5 mm.
     """
     sampling = Sampling(noise, perception, seed, n, precision, level)
     shot, tables = on_drawn_tables(shot, posterior, draws, sampling.n, sampling.seed, frame)

@@ -193,7 +193,7 @@ def pot_map(
 
     Raises:
         InputError: There is no such ball or pocket, no strike, a number is out of range, or balls
-            other than the cue ball have no room on a drawn table.
+            other than the cue ball have no room on most drawn tables.
     """
     where = (ball_index(shot, ball), pocket_index(shot, pocket))
     columns = whole("columns", columns, _MOST_COLUMNS + 1, low=1)

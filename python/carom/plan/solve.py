@@ -154,7 +154,7 @@ def solve(
 
     Raises:
         InputError: The goal is empty, there is no such ball or pocket, the shot has no strike, a
-            number is out of range or is not a range, or balls have no room on a drawn table.
+            number is out of range or is not a range, or balls have no room on most drawn tables.
     """
     core_of(shot)
     degrees = None if azimuth_deg is None else numbers("azimuth_deg", azimuth_deg, 2)
