@@ -43,7 +43,7 @@ def diagram(
 ) -> None:
     """Draw shots or positions for paper: light, with thin lines, readable without colours.
 
-    A shot is simulated, and the paths of its balls are drawn. Those of a frame are drawn as they lie.
+    A shot is simulated, and the paths of its balls are drawn. Those of a frame lie still.
     """
     drawn = [_read(file) for file in files]
     if title is None and len(files) == 1 and files[0] != "-":

@@ -11,7 +11,9 @@ import { isLocal, link, linkText, ownHost } from "./address.ts";
 import { copy } from "./clipboard.ts";
 import { download } from "./download.ts";
 import { mountDrop, openButton, type Opener } from "./open-files.ts";
+import { diagramSection } from "./diagram-section.ts";
 import { filmSection } from "./film.ts";
+import { mountPrint } from "../diagram/print-diagram.ts";
 import { toPrettyJson } from "./literal.ts";
 import { gameProgram, pythonProgram } from "./python.ts";
 import { t } from "../words/translate.ts";
@@ -46,6 +48,7 @@ export function mountShare(root: HTMLElement, store: Store, context: Context, ot
         download(await context.viewer.capture(), "carom.png");
       }),
     ),
+    diagramSection(store, copier.say),
     filmSection(store, context),
     copier.root,
   );
@@ -87,6 +90,7 @@ export function mountShare(root: HTMLElement, store: Store, context: Context, ot
   );
   root.append(openButton(store, context, other), share);
   mountDrop(store, context, other);
+  mountPrint(store, context);
 }
 
 /** The shot file, with what a camera saw of it. */

@@ -2,6 +2,7 @@
 
 export { texts as aim } from "./aim.ts";
 export { texts as carom } from "./carom.ts";
+export { texts as diagram } from "./diagram.ts";
 export { texts as drills } from "./drills.ts";
 export { texts as draw } from "./draw.ts";
 export { texts as analyse } from "./analyse.ts";
