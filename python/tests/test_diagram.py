@@ -54,6 +54,24 @@ def test_lines_are_dark_and_differ_without_colours(shot: carom.Shot) -> None:
         assert 0.299 * red + 0.587 * green + 0.114 * blue <= 0.46
 
 
+def test_marks_of_a_shot_are_drawn_dark_and_their_text_is_only_text(shot: carom.Shot) -> None:
+    marks: list[dict[str, Any]] = [
+        {"kind": "arrow", "color": "yellow", "from": [0.4, 0.6], "to": [0.9, 1.5]},
+        {"kind": "line", "color": "white", "from": [0.1, 0.1], "to": [0.1, 2.4]},
+        {"kind": "circle", "color": "red", "center": [0.8, 1.8], "radius": 0.12},
+        {"kind": "area", "color": "blue", "outline": [[0.9, 0.3], [1.2, 0.3], [1.2, 0.8]]},
+        {"kind": "label", "color": "white", "at": [0.3, 2.0], "text": "$x$ & <here>"},
+    ]
+    marked = carom.Shot.from_dict(shot.to_dict() | {"marks": marks})
+    (page,) = diagram.draw(marked)
+    page.draw_without_rendering()
+    found = parts(page)
+    assert {f"mark-{index}" for index in range(5)} <= set(found)
+    assert found["mark-1"].get_edgecolor()[:3] == (0.0, 0.0, 0.0), "white would not be seen"
+    assert found["mark-4"].get_text() == "$x$ & <here>"
+    assert not found["mark-4"].get_parse_math()
+
+
 def test_numbers_keep_clear_of_balls(shot: carom.Shot) -> None:
     (page,) = diagram.draw(shot)
     page.draw_without_rendering()

@@ -14,7 +14,8 @@ from matplotlib import rc_context
 from matplotlib.backends.backend_pdf import PdfPages
 from matplotlib.colors import to_rgb
 from matplotlib.figure import Figure
-from matplotlib.patches import Circle, PathPatch
+from matplotlib.patches import Circle, FancyArrowPatch, PathPatch, Polygon
+from matplotlib.patheffects import withStroke
 from matplotlib.transforms import Affine2D
 
 from carom.arguments import text
@@ -56,6 +57,8 @@ INCH = 25.4
 # Dash patterns of the paths, in line widths, by which they differ without colours; the cue ball's
 # is a whole line.
 DASHES: tuple[Any, ...] = ((0, (7, 2.5)), (0, (2.5, 2)), (0, (8, 2, 1.5, 2)), (0, (1, 1.6)))
+# Colours of marks, dark enough for lines on white; white would not be seen.
+MARK_INKS = {"white": "#000000", "yellow": "#7a6000", "red": "#b3261e", "blue": "#1c5a9e"}
 # Size of the numbers, points, in a diagram of full width and on a page of four.
 LARGE, SMALL = 9.0, 7.0
 # Greatest share of light in a path's colour: yellow would not be seen on white.
@@ -213,17 +216,18 @@ def _page(
     return as_written(figure)
 
 
-# Geometry, balls with their paths, and a line of text.
-_Parts = tuple[dict[str, Any], list[Route], str]
+# Geometry, balls with their paths, what is drawn on the table, and a line of text.
+_Parts = tuple[dict[str, Any], list[Route], list[dict[str, Any]], str]
 
 
 def _parts(one: Drawn) -> _Parts:
     if isinstance(one, Frame):
         radius = one._bare_shot().radius[0]
         balls = [_resting(ball, radius, place) for ball, place in one.balls.items()]
-        return one.geometry(), balls, ""
+        return one.geometry(), balls, [], ""
     trace = one.simulate() if isinstance(one, Shot) else one
-    return trace.shot.geometry(), routes(trace.to_dict(), starts(trace)), _caption(trace.shot)
+    shot = trace.shot
+    return shot.geometry(), routes(trace.to_dict(), starts(trace)), shot.marks, _caption(shot)
 
 
 def _resting(ball: str, radius: float, place: tuple[float, float]) -> Route:
@@ -245,7 +249,7 @@ def _diagram(
     heading: tuple[str, float],
 ) -> None:
     """Draw one diagram into a part of the page: left, top, width and height, mm."""
-    geometry, balls, caption = parts
+    geometry, balls, marks, caption = parts
     left, bottom, right, top = table.bounds(geometry, balls)
     x, y, wide, tall = slot
     title, size = heading
@@ -262,6 +266,7 @@ def _diagram(
     table.draw_table(ax, geometry, (left, bottom, right, top), LIGHT)
     _paths(ax, balls)
     _balls(ax, geometry, balls, size)
+    _marks(ax, marks, size)
     style: dict[str, Any] = {"fontsize": size, "va": "center", "color": "black"}
     x = begin / page[0]
     figure.text(x, (y - 0.3 * LINE) / page[1], title, fontweight="bold", **style)
@@ -334,6 +339,30 @@ def _balls(ax: Axes, geometry: dict[str, Any], balls: Sequence[Route], size: flo
                 zorder=7,
                 gid=f"number-{ball.id}",
             )
+
+
+def _marks(ax: Axes, marks: Sequence[dict[str, Any]], size: float) -> None:
+    """Draw the marks of a shot file over everything else."""
+    for index, mark in enumerate(marks):
+        ink = MARK_INKS[mark["color"]]
+        line: dict[str, Any] = {"edgecolor": ink, "linewidth": 1.1, "zorder": 8}
+        line["gid"] = f"mark-{index}"
+        kind = mark["kind"]
+        if kind in {"line", "arrow"}:
+            style = "-" if kind == "line" else "->,head_length=4,head_width=2"
+            ends = {"posA": mark["from"], "posB": mark["to"], "shrinkA": 0, "shrinkB": 0}
+            ax.add_patch(FancyArrowPatch(**ends, arrowstyle=style, **line))
+        elif kind == "circle":
+            ax.add_patch(Circle(mark["center"], mark["radius"], facecolor="none", **line))
+        elif kind == "area":
+            ax.add_patch(Polygon(mark["outline"], facecolor=(*to_rgb(ink), 0.12), **line))
+        else:
+            halo = [withStroke(linewidth=3, foreground="white")]
+            place: dict[str, Any] = {"ha": "center", "va": "center", "zorder": 9}
+            x, y = mark["at"]
+            # A dollar sign is one of the text.
+            found = ax.text(x, y, mark["text"], fontsize=size, color=ink, parse_math=False, **place)
+            found.set(gid=f"mark-{index}", path_effects=halo, fontweight="bold")
 
 
 def _points(leg: Leg) -> list[Point]:

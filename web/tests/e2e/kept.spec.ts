@@ -253,7 +253,7 @@ test("a finished game is listed with its result, and opens in the review", async
     .first()
     .waitFor();
   await settle(next);
-  // Its review is no second game.
+  // Its review is not a second game.
   await next.getByRole("button", { name: /^Undo/ }).click();
   await next.getByRole("radio", { name: "Play", exact: true }).click();
   await row.waitFor();
@@ -321,7 +321,7 @@ test("a browser that keeps nothing says so, and the page works", async ({ visit 
   expect(await moves(page), "a reload still keeps the game").toBe(1);
 });
 
-test("a full storage is told once, and the page works", async ({ visit }) => {
+test("a full storage shows one sentence, and the page works", async ({ visit }) => {
   const script = () => {
     IDBObjectStore.prototype.put = () => {
       throw new DOMException("no room", "QuotaExceededError");
@@ -338,7 +338,7 @@ test("a full storage is told once, and the page works", async ({ visit }) => {
   expect(await moves(page)).toBe(2);
 });
 
-test("a damaged entry is told, saved and deleted, and the others are continued", async ({
+test("a damaged entry has a sentence, is saved and deleted, and the others are continued", async ({
   visit,
 }) => {
   const { open } = await visit();

@@ -5,10 +5,11 @@
  * in `layersOf` from the lowest to the highest.
  */
 
-import type { Shot, Trace } from "../../engine/index.ts";
+import type { DrawnMark, Shot, Trace } from "../../engine/index.ts";
 import { look } from "../../viewer/index.ts";
 import { svg } from "../common/dom.ts";
 import { freest, numberBox, type Obstacle } from "./diagram-labels.ts";
+import { paperMarks } from "./paper-marks.ts";
 import {
   BALL_NUMBER,
   bedMarks,
@@ -54,8 +55,14 @@ const LIGHTEST = 0.45;
  * The picture of a shot, with the paths of its trace if there is one; null on cloth without edges.
  *
  * @param label What the picture shows, for screen readers.
+ * @param drawn What is drawn on the table.
  */
-export function paperDiagram(shot: Shot, trace: Trace | null, label: string): SVGSVGElement | null {
+export function paperDiagram(
+  shot: Shot,
+  trace: Trace | null,
+  label: string,
+  drawn: readonly DrawnMark[] = [],
+): SVGSVGElement | null {
   const { size, rail_width: rail = 0.15 } = shot.geometry;
   if (!size) return null;
   const margin = 1000 * rail + EDGE;
@@ -67,14 +74,19 @@ export function paperDiagram(shot: Shot, trace: Trace | null, label: string): SV
     "aria-label": label,
   });
   picture.append(
-    ...layersOf(shot, trace, size).map(([tag, { class: name, ...attributes }, text]) =>
+    ...layersOf(shot, trace, size, drawn).map(([tag, { class: name, ...attributes }, text]) =>
       svg(tag, { ...attributes, ...LOOKS[String(name)] }, text),
     ),
   );
   return picture;
 }
 
-function layersOf(shot: Shot, trace: Trace | null, size: readonly [number, number]): Mark[] {
+function layersOf(
+  shot: Shot,
+  trace: Trace | null,
+  size: readonly [number, number],
+  drawn: readonly DrawnMark[],
+): Mark[] {
   const { geometry } = shot;
   const table: DrawnTable = { geometry, size, diamond: [size[0] / 4, size[1] / 8] };
   const paths = trace ? pathsOf(trace) : [];
@@ -95,6 +107,7 @@ function layersOf(shot: Shot, trace: Trace | null, size: readonly [number, numbe
       size,
       paths.flatMap(({ points }) => points),
     ),
+    ...paperMarks(drawn),
   ];
 }
 
@@ -186,7 +199,7 @@ function numbersOf(
 
 /** What stands beside each ball: its number, or the first letters of its colour where no other ball has it. */
 export function namesOf(balls: readonly string[]): string[] {
-  const stems = balls.map((id) => id.replace(/[-_ ]?\d+$/, ""));
+  const stems = balls.map(stemOf);
   return balls.map((id, k) => {
     const stem = stems[k]!;
     if (stem === "") return id;
@@ -198,6 +211,14 @@ export function namesOf(balls: readonly string[]): string[] {
     }
     return stem.charAt(0).toUpperCase() + stem.slice(1, length);
   });
+}
+
+/** A name without its number at the end. */
+function stemOf(id: string): string {
+  let end = id.length;
+  while (end > 0 && "0123456789".includes(id[end - 1]!)) end -= 1;
+  if (end < id.length && end > 0 && "-_ ".includes(id[end - 1]!)) end -= 1;
+  return id.slice(0, end);
 }
 
 /** Pixels of a picture along the table. */

@@ -3,6 +3,7 @@
 import "./print-diagram.css";
 import type { Context } from "../common/context.ts";
 import { h } from "../common/dom.ts";
+import { marksOf } from "../document/marks.ts";
 import type { Store } from "../document/store.ts";
 import { t } from "../words/translate.ts";
 import { paperDiagram } from "./paper-diagram.ts";
@@ -18,7 +19,8 @@ export const printing = {
 /** The diagram of the present shot; null on cloth without edges. */
 export function presentDiagram(store: Store): SVGSVGElement | null {
   const trace = store.session.replay.trace ?? store.ghost.trace;
-  return paperDiagram(trace?.shot ?? store.shot, trace, t("diagram.label"));
+  const marks = marksOf(store.document.shot);
+  return paperDiagram(trace?.shot ?? store.shot, trace, t("diagram.label"), marks);
 }
 
 /** Every print of the page prints diagrams, unless a part of the page prints a sheet of its own. */
@@ -64,7 +66,7 @@ function diagramsOfTree(store: Store, { engine }: Context): HTMLElement[] {
   return nodes.flatMap(({ shot: file, comment }, index) => {
     const shot = engine.shot(file);
     const trace = shot.simulate();
-    const picture = paperDiagram(shot, trace, t("diagram.label"));
+    const picture = paperDiagram(shot, trace, t("diagram.label"), file.marks);
     trace.free();
     shot.free();
     const text = t("diagram.caption", { number: index + 1, comment });

@@ -18,7 +18,7 @@ export interface FinishedGame {
   /** When it ended: ISO 8601, UTC, with milliseconds. */
   readonly ended: string;
   readonly game: Game;
-  /** Null: nobody has won. */
+  /** Null: the game has no winner. */
   readonly winner: Seat | null;
   /** Points, in the order of the names. */
   readonly scores: Pair<number>;

@@ -1,5 +1,5 @@
 /**
- * Documents as plain values in which every part stands once: the states of a history share most of theirs.
+ * Documents as plain values that have every part a single time: the states of a history share most of theirs.
  * A document has the indices of its parts in lists.
  */
 

@@ -29,7 +29,7 @@ export function entriesAt(
   return data as Entries;
 }
 
-/** A list with at most so many items, each read by `read`. */
+/** A list with a bounded number of items, each read by `read`. */
 export function listAt<T>(
   data: unknown,
   place: string,

@@ -1,4 +1,4 @@
-/** What the page says of works and games that it keeps. */
+/** The sentences about works and games that the page keeps. */
 
 import type { Engine } from "../../engine/index.ts";
 import { gameName } from "../common/preset-names.ts";

@@ -92,7 +92,7 @@ export class DrawnMarks {
       case "arrow":
         this.#stroke([mark.from, mark.to], color);
         {
-          this.#stroke(head(mark.from, mark.to), color);
+          this.#stroke(arrowHead(mark.from, mark.to), color);
           return;
         }
       case "circle": {
@@ -126,8 +126,8 @@ export class DrawnMarks {
   }
 }
 
-/** The two strokes of an arrow's head. */
-function head([fx, fy]: Point, [x, y]: Point): Point[] {
+/** The two strokes of an arrow's head, m. */
+export function arrowHead([fx, fy]: Point, [x, y]: Point): Point[] {
   const back = Math.atan2(fy - y, fx - x);
   const length = Math.min(HEAD, Math.hypot(fx - x, fy - y));
   const end = (turn: number): Point => [

@@ -91,7 +91,7 @@ test("a browser without a database keeps nothing, and says why", async () => {
   expect(await idsOf(storage)).toEqual([]);
 });
 
-test("a browser that refuses is told apart from a full one, and a write that succeeds ends the fault", async () => {
+test("the faults of a browser that refuses and of a full one differ, and a write that succeeds ends the fault", async () => {
   const failing = (name: string) => {
     const factory = new IDBFactory();
     factory.open = () => {

@@ -56,7 +56,7 @@ test("a history comes back with every state, label and text", () => {
   expect(read.steps.at).toBe(store.steps.steps.length - 2);
 });
 
-test("states share their parts again, so that undo need not play a game anew", () => {
+test("states share their parts again, so that undo need not play a game again", () => {
   const ids: [Setup, string][] = [];
   const { steps } = unpacked(copied(packed(workOf(played()), idOf)), "work", (setup, id) =>
     ids.push([setup, id]),
@@ -69,7 +69,7 @@ test("states share their parts again, so that undo need not play a game anew", (
   expect(ids[0]![1]).toBe("id of the game");
 });
 
-test("a packed history is small, because each part stands once", () => {
+test("a packed history is small, because it has each part a single time", () => {
   const store = begun("nine-ball");
   for (let k = 0; k < 300; k += 1) store.strike({ azimuth_deg: k / 10 }, "aim");
   const text = JSON.stringify(packed(workOf(store), idOf));
