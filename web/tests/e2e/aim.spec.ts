@@ -51,8 +51,16 @@ test("a touch aims: a drag turns the cue, a tap aims at the place", async ({ ope
   const to = await onPage(page, 0.7, 1.9);
   const angle = (await towards(page, 0.7, 1.9)) - (await towards(page, 1, 1.6));
   const before = await azimuth(page);
-  const touch = (type: "touchStart" | "touchMove" | "touchEnd", spot?: { x: number; y: number }) =>
-    client.send("Input.dispatchTouchEvent", { type, touchPoints: spot ? [spot] : [] });
+  // A quick finger, 10 ms between two events, on a busy machine too: a slow one turns the cue finely.
+  let timestamp = Date.now() / 1000;
+  const touch = (type: "touchStart" | "touchMove" | "touchEnd", spot?: { x: number; y: number }) => {
+    timestamp += 0.01;
+    return client.send("Input.dispatchTouchEvent", {
+      type,
+      timestamp,
+      touchPoints: spot ? [spot] : [],
+    });
+  };
   await touch("touchStart", from);
   for (let k = 1; k <= 6; k += 1) {
     await touch("touchMove", {

@@ -4,8 +4,9 @@
  * entry stays until Back takes it away.
  */
 
-/** The state of the entry on top. */
+/** The states of the entry on top and of the one below it. An entry of an address that the user enters has none. */
 const OPEN = "carom-open";
+const BELOW = "carom-below";
 
 /** @param writeAddress Writes the present address into the entry of the history. */
 export function mountBack(writeAddress: () => void): void {
@@ -13,6 +14,7 @@ export function mountBack(writeAddress: () => void): void {
   const guard = (): void => {
     if (isOnTop || !closer()) return;
     try {
+      history.replaceState(BELOW, "", location.href);
       history.pushState(OPEN, "", location.href);
       isOnTop = true;
     } catch {
@@ -24,7 +26,8 @@ export function mountBack(writeAddress: () => void): void {
   addEventListener("popstate", () => {
     const wasOnTop = isOnTop;
     isOnTop = history.state === OPEN;
-    if (isOnTop === wasOnTop) return;
+    const wasClosed = wasOnTop && history.state === BELOW;
+    if (!wasClosed && (wasOnTop || !isOnTop)) return;
     // The entry below has the address of an earlier time.
     writeAddress();
     if (isOnTop) return;
