@@ -133,6 +133,8 @@ test("the button after the end of a frame is in view at 844×390", async ({ open
   // Seen: the bar kept its narrow column, and the button was below the edge of the window.
   const page = await open({ viewport: { width: 844, height: 390 }, reducedMotion: "reduce" });
   await beginGame(page);
+  // The panel is folded when a game begins.
+  await showTab(page, "game");
   await page.getByRole("button", { name: "Concede" }).click();
   const box = (await page.getByRole("button", { name: "Another frame" }).boundingBox())!;
   expect(box.y + box.height).toBeLessThanOrEqual(390);
