@@ -53,7 +53,10 @@ test("a touch aims: a drag turns the cue, a tap aims at the place", async ({ ope
   const before = await azimuth(page);
   // A quick finger, 10 ms between two events, on a busy machine too: a slow one turns the cue finely.
   let timestamp = Date.now() / 1000;
-  const touch = (type: "touchStart" | "touchMove" | "touchEnd", spot?: { x: number; y: number }) => {
+  const touch = (
+    type: "touchStart" | "touchMove" | "touchEnd",
+    spot?: { x: number; y: number },
+  ) => {
     timestamp += 0.01;
     return client.send("Input.dispatchTouchEvent", {
       type,
