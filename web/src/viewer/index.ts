@@ -16,5 +16,5 @@ export type {
   Quality,
   Theme,
 } from "./viewer-types.ts";
-export { arrowHead, MARK_COLORS } from "./overlay/drawn-marks.ts";
+export { arrowHead, MARK_COLORS, MARK_HEIGHT } from "./overlay/drawn-marks.ts";
 export { Viewer, type ViewerOptions } from "./viewer.ts";

@@ -21,6 +21,7 @@ import {
   middle,
   numeral,
   placesAround,
+  tenth,
 } from "./table-marks.ts";
 
 /** Empty edge around the picture, mm on the table. */
@@ -141,10 +142,6 @@ function pathsOf(trace: Trace): DrawnPath[] {
     ];
     return [{ marks, points: spread(places) }];
   });
-}
-
-function tenth(x: number): number {
-  return Math.round(10 * x) / 10;
 }
 
 /** Points along a line, not farther apart than `SPACING`. */

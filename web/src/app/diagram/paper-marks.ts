@@ -2,7 +2,7 @@
 
 import type { DrawnMark, MarkColor, Point } from "../../engine/index.ts";
 import { arrowHead } from "../../viewer/index.ts";
-import { type Mark, middle, numeral } from "./table-marks.ts";
+import { type Mark, middle, numeral, tenth } from "./table-marks.ts";
 
 /** The colours of marks, dark enough for lines on white; white would not be seen. */
 const INKS: Readonly<Record<MarkColor, string>> = {
@@ -49,8 +49,4 @@ function way(points: readonly Point[]): string {
     .map(middle)
     .map(({ cx, cy }, k) => `${k === 0 ? "M" : "L"}${cx} ${cy}`)
     .join("");
-}
-
-function tenth(x: number): number {
-  return Math.round(10 * x) / 10;
 }

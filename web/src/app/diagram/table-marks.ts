@@ -157,7 +157,11 @@ export function turned(at: (x: number, y: number) => Point): readonly Point[] {
 
 /** A number with its middle at a point. */
 export function numeral(name: string, [x, y]: Point, size: number, text: string): Mark {
-  const round = (number: number) => Math.round(10 * number) / 10;
-  const attributes = { class: name, x: round(x), y: round(y), "font-size": size };
+  const attributes = { class: name, x: tenth(x), y: tenth(y), "font-size": size };
   return ["text", { ...attributes, "text-anchor": "middle", dy: "0.36em" }, text];
+}
+
+/** A length of a picture, rounded to 0.1 mm on the table. */
+export function tenth(length: number): number {
+  return Math.round(10 * length) / 10;
 }

@@ -4,6 +4,7 @@ import type { Geometry, Point, Trace } from "../../engine/index.ts";
 import { ballName, pocketName } from "../common/shot-words.ts";
 import { shownGuide } from "../document/guide-extent.ts";
 import type { Store } from "../document/store.ts";
+import { MARK_HEIGHT } from "../../viewer/index.ts";
 import { t } from "../words/translate.ts";
 
 export interface SnapPoint {
@@ -73,12 +74,9 @@ export function snapAt(
   let best: SnapPoint | null = null;
   let least = reach;
   for (const point of points) {
-    const seen = project(...point.at, SNAP_HEIGHT);
+    const seen = project(...point.at, MARK_HEIGHT);
     const away = seen ? Math.hypot(seen[0] - x, seen[1] - y) : Infinity;
     if (away <= least) [best, least] = [point, away];
   }
   return best;
 }
-
-/** The height at which marks are drawn, that of the balls' centres; m. */
-const SNAP_HEIGHT = 0.0286;

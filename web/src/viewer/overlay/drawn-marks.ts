@@ -18,7 +18,7 @@ export const MARK_COLORS: Readonly<Record<DrawnMark["color"], string>> = {
 const EDGE = "#101413";
 
 /** Height (m) of the marks: that of the balls' centres, at which the page reads places. */
-const HEIGHT = 0.0286;
+export const MARK_HEIGHT = 0.0286;
 
 /** Length (m) of the head of an arrow, and half its angle, rad. */
 const HEAD = 0.05;
@@ -109,7 +109,7 @@ export class DrawnMarks {
   }
 
   #stroke(places: readonly Point[], color: string): void {
-    const points = places.flatMap(([x, y]) => [x, y, HEIGHT]);
+    const points = places.flatMap(([x, y]) => [x, y, MARK_HEIGHT]);
     this.#edges.add(points, 3, EDGE);
     this.#lines.add(points, 3, color);
   }
@@ -164,7 +164,7 @@ function label(text: string, [x, y]: Point, color: string): Sprite {
   const sprite = new Sprite(new SpriteMaterial({ map, depthTest: false, depthWrite: false }));
   const width = (LABEL * canvas.width) / PIXELS;
   sprite.scale.set(width, LABEL, 1);
-  sprite.position.set(x, y, HEIGHT);
+  sprite.position.set(x, y, MARK_HEIGHT);
   sprite.renderOrder = 6;
   setCover(sprite, (add) => {
     add(sprite.position, sprite.position, Math.hypot(width, LABEL) / 2, 0);
