@@ -8,7 +8,7 @@ import typer
 
 from carom import Frame, Shot, Trace, _core
 from carom.cli.options import title_of
-from carom.cli.output import file_name, read
+from carom.cli.output import file_name, format_of, read
 from carom.errors import InputError
 from carom.lazy import LazyModule
 
@@ -54,7 +54,7 @@ def diagram(
 def _read(path: str) -> Shot | Trace | Frame:
     name = file_name(path)
     file = _core.read_json(read(path), name)
-    kind = str(file.get("format", "carom-shot")) if isinstance(file, dict) else "carom-shot"
+    kind = format_of(file)
     if kind.startswith("carom-frame"):
         return Frame.replay(file)
     if kind.startswith("carom-trace"):

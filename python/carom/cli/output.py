@@ -88,6 +88,11 @@ def read_shot(path: str) -> carom.Shot:
     return carom.Shot._read(read(path), file_name(path))
 
 
+def format_of(file: Any) -> str:
+    """The format that a file of carom names; that of a shot file if it names none."""
+    return str(file.get("format", "carom-shot")) if isinstance(file, dict) else "carom-shot"
+
+
 def file_name(path: str) -> str:
     """The name of a file in an error message, where ``-`` is stdin."""
     return "stdin" if path == "-" else shown(path)

@@ -24,7 +24,7 @@ from carom.cli.options import (
     noise_of,
     title_of,
 )
-from carom.cli.output import emit_answer, file_name, read
+from carom.cli.output import emit_answer, file_name, format_of, read
 from carom.errors import InputError
 from carom.lazy import LazyModule
 from carom.plan.drawn_tables import on_learned_table
@@ -146,7 +146,7 @@ def _frame(text: str, name: str, game: str | None, posterior: TablePosterior | N
     The latter is on the learned table, if there is one.
     """
     file = _core.read_json(text, name)
-    kind = str(file.get("format", "carom-shot")) if isinstance(file, dict) else "carom-shot"
+    kind = format_of(file)
     if kind.startswith("carom-frame"):
         if game is not None:
             raise InputError(
