@@ -95,16 +95,8 @@ def table(
     model = TableModel.of(tracks.header, table, physics, free)
     observed = [observe(shot) for shot in tracks]
     meant = intended_strikes(tracks, intended, noise)
-    question: list[Any] = [
-        "table",
-        model.table,
-        model.physics,
-        model.names,
-        model.radius,
-        starts,
-        seed,
-    ]
-    question.append([None if one is None else one.to_list() for one in meant])
+    known = [None if one is None else one.to_list() for one in meant]
+    question = ["table", *model.identity, starts, seed, known]
     kept = KeptWork(keep, question, observed)
     with progress_bar(rounds * len(observed), show=progress, what="strikes") as done:
         found = fit(

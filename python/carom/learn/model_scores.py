@@ -104,7 +104,7 @@ def compare_models(
     base = TableModel.of(tracks.header, table, physics, free)
     pairs = [*(_usual(base) if models is None else models)]
     observed = [observe(shot) for shot in tracks]
-    question = ["compare", base.table, base.physics, free, rounds, starts, seed]
+    question = ["compare", *base.identity, free, rounds, starts, seed]
     kept = KeptWork(keep, question, observed)
     scores = {}
     # Each shot is fitted in one half, and judged once.

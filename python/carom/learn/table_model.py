@@ -228,6 +228,11 @@ class TableModel:
         """Names of the free numbers, in the order of the vector."""
         return [parameter.name for parameter in self.free]
 
+    @property
+    def identity(self) -> tuple[Any, ...]:
+        """What distinguishes the model from another one, as values of JSON."""
+        return self.table, self.physics, self.names, self.radius
+
     def clip(self, vector: Floats) -> Floats:
         """The vector with each number inside its bounds."""
         low = np.array([p.low for p in self.free])
