@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import json
+import re
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import carom
 import pytest
+from carom.carom_route import _HITS
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from conftest import CommandLine
+
+ROOT = Path(__file__).parents[2]
 
 LAYOUT = {"white": (0.4, 0.6), "yellow": (1.1, 0.5), "red": (0.9, 2.2)}
 
@@ -55,6 +58,12 @@ def test_a_reading_is_the_sum_of_its_system() -> None:
     assert reading.predicted == pytest.approx(reading.from_ - reading.over)
     assert trace.diamond_reading(0, contact) == reading
     assert trace.diamond_reading("red") is None, "it rests until it is hit"
+
+
+def test_python_and_the_page_name_hits_by_the_same_shares_of_the_ball() -> None:
+    source = ROOT / "web/src/app/pot/pot-words.ts"
+    table = source.read_text(encoding="utf-8").partition("const HITS = [")[2].partition("]\n")[0]
+    assert [float(least) for least in re.findall(r"\[([\d.]+),", table)] == [x for x, _ in _HITS]
 
 
 def test_unknown_balls_and_events_of_a_reading_are_refused() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 from xml.etree import ElementTree
 
@@ -13,12 +14,11 @@ from carom.picture import diagram
 from matplotlib.colors import to_rgb
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from conftest import CommandLine
     from matplotlib.figure import Figure
 
 MM = 25.4
+ROOT = Path(__file__).parents[2]
 
 
 @pytest.fixture(scope="module")
@@ -70,6 +70,12 @@ def test_marks_of_a_shot_are_drawn_dark_and_their_text_is_only_text(shot: carom.
     assert found["mark-1"].get_edgecolor()[:3] == (0.0, 0.0, 0.0), "white would not be seen"
     assert found["mark-4"].get_text() == "$x$ & <here>"
     assert not found["mark-4"].get_parse_math()
+
+
+def test_marks_have_the_colours_of_the_page_s_diagrams() -> None:
+    source = ROOT / "web/src/app/diagram/paper-marks.ts"
+    table = source.read_text(encoding="utf-8").partition("INKS")[2].partition("};")[0]
+    assert dict(re.findall(r'(\w+): "(#\w+)"', table)) == diagram.MARK_INKS
 
 
 def test_numbers_keep_clear_of_balls(shot: carom.Shot) -> None:
