@@ -17,7 +17,9 @@ use carom::math::{Vec2, Vec3};
 use carom::motion::Path;
 use carom::physics::{BallBall, BallBallModel, Cushion, CushionModel};
 use carom::resolve::cue_ball::{self, Strike};
-use carom::resolve::network::{self, NetworkImpact, Touch, WallTouch, stiffness_of_time};
+use carom::resolve::network::{
+    self, NetworkImpact, NetworkScratch, Touch, WallTouch, stiffness_of_time,
+};
 use carom::resolve::{Body, ball_ball, ball_cushion, ball_edge, ball_slate};
 use carom::{Ball, MotionState, Physics};
 use carom_roots::{Row, first_contact};
@@ -433,6 +435,6 @@ fn struck_in_network(physics: &Physics, strike: &Strike, frozen: usize) -> Optio
     let tip = cue_ball::tip_touch(cue, ball, strike, contact_times.tip, 0).ok()?;
     let impact =
         NetworkImpact { law: ball_ball, touches: &touches, walls: &[wall], tip: Some(tip) };
-    impact.resolve(&mut bodies)?;
+    impact.resolve(&mut bodies, &mut NetworkScratch::default())?;
     Some(bodies)
 }

@@ -9,8 +9,10 @@
 //! effect is smaller than the difference between two seeds.
 
 use core::ops::Range;
+use std::sync::Arc;
 
 use carom::batch::{self, BatchResult, OFF_TABLE};
+use carom::device::Device;
 use carom::noise::StruckBall;
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
@@ -43,6 +45,8 @@ pub struct Question<'a> {
     pub referee: Option<Referee<'a>>,
     /// Number of threads; one per core if None.
     pub threads: Option<usize>,
+    /// The device that plays the variants. A referee needs the events of a shot, which it does not give.
+    pub device: Option<Arc<dyn Device>>,
 }
 
 /// The probabilities whose precision ends an evaluation early.
@@ -151,6 +155,10 @@ pub fn evaluate(
     let refereed =
         question.referee.map(|referee| Refereed::new(shot, referee, model.errors())).transpose()?;
     let runner = Runner::new(question.threads)?;
+    let runner = match &question.device {
+        Some(device) => runner.on(device.clone()),
+        None => runner,
+    };
     let round = model.half_width.map_or(u64::MAX, |_| VARIANTS_PER_ROUND);
     let mut part = PartSize::new(runner.threads());
     let mut evaluation = Evaluation::empty(shot, question);
@@ -244,6 +252,12 @@ fn check(shot: &Shot, question: &Question<'_>) -> Result<(), Error> {
             "watch",
             format!("there is no pocket {pocket}"),
             "count the pockets from 0",
+        ),
+        _ if question.referee.is_some() && question.device.is_some() => refuse(
+            ErrorKind::Unsupported,
+            "device",
+            "a device does not rule on shots".into(),
+            "leave the frame out, or use device \"cpu\"",
         ),
         Watched::Legal if question.referee.is_none() => refuse(
             ErrorKind::Missing,

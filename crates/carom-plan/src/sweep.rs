@@ -4,7 +4,10 @@
 //! strike if it is played with noise. Its result depends only on these: not on other rows, on their
 //! order or on the number of threads.
 
+use core::ops::Range;
+
 use carom::batch::{OFF_TABLE, PADDING, PocketRecorder, draw_variant};
+use carom::device::{Device, FlatEnds, FlatShots};
 use carom::format::{KeyPath, Node};
 use carom::math::{degrees, radians};
 use carom::noise::StruckBall;
@@ -217,6 +220,31 @@ pub fn play(rows: &SweepRows<'_>, balls: usize, outcomes: bool) -> RowResults {
     RowPlayer::new(rows, balls, outcomes).play()
 }
 
+/// As [`play`] without outcomes, on `device`. What it cannot play is played here, as in
+/// [`carom::batch`].
+///
+/// # Errors
+/// [`Error::Input`] if the device fails.
+pub fn play_on(
+    rows: &SweepRows<'_>,
+    balls: usize,
+    device: &dyn Device,
+) -> Result<RowResults, Error> {
+    let mut player = RowPlayer::new(rows, balls, false);
+    let most = device.most_shots().max(1);
+    let count = rows.layout.len();
+    for first in (0..count).step_by(most) {
+        player.waiting = Some(Waiting { most_balls: device.most_balls(), ..Waiting::default() });
+        player.play_rows(first..count.min(first + most));
+        let waiting = player.waiting.take().unwrap_or_default();
+        let ends = device.play(&waiting.flat)?;
+        for (place, shot) in waiting.shots.iter().enumerate() {
+            player.copy(shot, &ends, place);
+        }
+    }
+    Ok(player.results)
+}
+
 /// The shot of one row: its layout with the row's values, and the strike that is played.
 ///
 /// # Errors
@@ -244,7 +272,24 @@ struct RowPlayer<'a> {
     simulator: Simulator,
     /// The last shot that was made from a layout and values, and the row for which it was made.
     made: Option<(usize, ShotFile)>,
+    /// Where shots wait for a device, if there is one.
+    waiting: Option<Waiting>,
     results: RowResults,
+}
+
+/// Shots that a device will play.
+#[derive(Default)]
+struct Waiting {
+    most_balls: usize,
+    flat: FlatShots,
+    shots: Vec<WaitingShot>,
+}
+
+/// A shot that a device will play: its row, and what is played here if the device cannot.
+struct WaitingShot {
+    row: usize,
+    shot: Shot,
+    strike: Option<(usize, Strike)>,
 }
 
 impl<'a> RowPlayer<'a> {
@@ -264,18 +309,51 @@ impl<'a> RowPlayer<'a> {
             errors: Vec::new(),
         };
         let recorders = vec![None; rows.layouts.len()];
-        Self { rows, outcomes, recorders, simulator: Simulator::new(), made: None, results }
+        let simulator = Simulator::new();
+        Self { rows, outcomes, recorders, simulator, made: None, waiting: None, results }
     }
 
     fn play(mut self) -> RowResults {
-        for row in 0..self.rows.layout.len() {
-            if let Err(error) = self.row(row) {
-                let balls = self.results.balls;
-                self.results.pocket[row * balls..][..balls].fill(PADDING);
-                self.results.errors.push((row, error));
+        self.play_rows(0..self.rows.layout.len());
+        self.results
+    }
+
+    fn play_rows(&mut self, rows: Range<usize>) {
+        for row in rows {
+            let played = self.row(row);
+            self.note(row, played);
+        }
+    }
+
+    /// Notes the error of a row that failed.
+    fn note(&mut self, row: usize, played: Result<(), Error>) {
+        if let Err(error) = played {
+            let balls = self.results.balls;
+            self.results.pocket[row * balls..][..balls].fill(PADDING);
+            self.results.errors.push((row, error));
+        }
+    }
+
+    /// Writes the row of a shot with the results of a device; a shot that failed is played here.
+    fn copy(&mut self, waiting: &WaitingShot, ends: &FlatEnds, place: usize) {
+        let WaitingShot { row, shot, strike } = waiting;
+        let end = ends.end[place];
+        if end.events == 0 {
+            let played = self.simulate(*row, shot, *strike, None);
+            self.note(*row, played);
+            self.results.errors.sort_by_key(|(row, _)| *row);
+            return;
+        }
+        let (count, first, from) =
+            (shot.balls().len(), row * self.results.balls, place * ends.width);
+        self.results.events[*row] = end.events as i32;
+        self.results.duration[*row] = end.duration;
+        self.results.pocket[first..][..count].copy_from_slice(&ends.pocket[from..][..count]);
+        for (i, position) in ends.position[from..][..count].iter().enumerate() {
+            for (column, x) in self.results.end.iter_mut().zip(position.to_array()) {
+                column[first + i] = x;
             }
         }
-        self.results
     }
 
     fn row(&mut self, row: usize) -> Result<(), Error> {
@@ -338,6 +416,15 @@ impl<'a> RowPlayer<'a> {
         outcome: Option<OutcomeRecorder<'_>>,
     ) -> Result<(), Error> {
         let count = shot.balls().len();
+        let cue_ball = shot.cue_ball().and_then(|i| i16::try_from(i).ok());
+        self.results.cue_ball[row] = cue_ball.unwrap_or(NONE);
+        if let Some(waiting) = &mut self.waiting
+            && count <= waiting.most_balls
+        {
+            waiting.flat.push(shot, strike);
+            waiting.shots.push(WaitingShot { row, shot: shot.clone(), strike });
+            return Ok(());
+        }
         let first = row * self.results.balls;
         let pockets = &mut self.results.pocket[first..][..count];
         let pockets = PocketRecorder::new(pockets);
@@ -352,8 +439,6 @@ impl<'a> RowPlayer<'a> {
             let mut pockets = pockets;
             self.simulator.play_strike(shot, strike, &mut pockets)?
         };
-        let cue_ball = shot.cue_ball().and_then(|i| i16::try_from(i).ok());
-        self.results.cue_ball[row] = cue_ball.unwrap_or(NONE);
         self.results.events[row] = events as i32;
         self.results.duration[row] = duration;
         for i in 0..count {

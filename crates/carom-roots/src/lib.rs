@@ -6,6 +6,7 @@
 //! [`first_crossing`] for a ball and a plane. [`cannot_touch`] and [`Row`] prove for most pairs, at
 //! little cost, that there is no contact.
 #![no_std]
+#![cfg_attr(target_arch = "nvptx64", feature(core_float_math))]
 #[cfg(feature = "std")]
 extern crate std;
 

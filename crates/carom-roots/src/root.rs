@@ -1,15 +1,13 @@
-//! The square root. IEEE 754 rounds it correctly, so its bits are the same with and without `std`.
+//! The square root. IEEE 754 rounds it correctly, so its bits are the same in each of these ways.
 
 /// √x.
-#[cfg(feature = "std")]
 #[inline(always)]
 pub(crate) fn sqrt(x: f64) -> f64 {
-    x.sqrt()
-}
-
-/// √x.
-#[cfg(not(feature = "std"))]
-#[inline(always)]
-pub(crate) fn sqrt(x: f64) -> f64 {
-    libm::sqrt(x)
+    #[cfg(feature = "std")]
+    return x.sqrt();
+    // The instruction of the device; the function of `libm` takes a hundred.
+    #[cfg(target_arch = "nvptx64")]
+    return core::f64::math::sqrt(x);
+    #[cfg(not(any(feature = "std", target_arch = "nvptx64")))]
+    return libm::sqrt(x);
 }

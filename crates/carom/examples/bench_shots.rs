@@ -5,6 +5,8 @@
 //! ```sh
 //! cargo run --profile bench --example bench_shots -- shots.jsonl 1000
 //! ```
+//!
+//! A third number is how often each shot is played before the next one.
 
 use std::error::Error;
 
@@ -15,10 +17,12 @@ use carom::simulate::Simulation;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
-    let [file, passes] = arguments.as_slice() else {
-        return Err("usage: bench_shots FILE PASSES".into());
+    let (file, passes, repeats) = match arguments.as_slice() {
+        [file, passes] => (file, passes, "1"),
+        [file, passes, repeats] => (file, passes, repeats.as_str()),
+        _ => return Err("usage: bench_shots FILE PASSES [REPEATS]".into()),
     };
-    let passes: u32 = passes.parse()?;
+    let (passes, repeats): (u32, u32) = (passes.parse()?, repeats.parse()?);
     let text = std::fs::read_to_string(file)?;
     let shots = text.lines().map(Shot::from_json).collect::<Result<Vec<_>, _>>()?;
     let mut simulation = Box::new(Simulation::<SMALL_CAPACITY>::new());
@@ -26,6 +30,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     for _ in 0..passes {
         events = 0;
         for shot in &shots {
+            for _ in 1..repeats {
+                simulation.play(shot, &mut NullRecorder)?;
+            }
             events += simulation.play(shot, &mut NullRecorder)?.events;
         }
     }

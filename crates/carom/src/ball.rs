@@ -10,6 +10,7 @@ pub(crate) const RADIUS: Range = Range::positive(" m");
 
 /// A solid, homogeneous ball. Its moment of inertia is ⅖mR².
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Ball {
     /// Mass, kg.
     pub mass: f64,
@@ -77,6 +78,7 @@ impl MotionState {
 
 /// A ball's complete state at one instant.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
 pub struct BallState {
     /// Centre, m.
     pub position: Vec3,

@@ -1,14 +1,16 @@
 //! Batches: many shots without traces, with the same results in the same order for any number of
-//! threads.
+//! threads, and on a device ([`Runner::on`]). If a device fails, its shots have an error of the kind
+//! [`ErrorKind::System`].
 
 use alloc::borrow::Cow;
 use alloc::format;
 use alloc::vec;
 use alloc::vec::Vec;
 
+use crate::device::{Device, FlatEnds, FlatShots};
 use crate::error::{Error, ErrorKind};
-use crate::event::{Event, EventKind, Recorder};
 use crate::noise::{Errors, StruckBall};
+pub use crate::pocket::{OFF_TABLE, ON_TABLE, PADDING, PocketRecorder};
 use crate::resolve::cue_ball::Strike;
 use crate::runner::Runner;
 use crate::simulator::Simulator;
@@ -17,13 +19,6 @@ use crate::{MotionState, Noise, Shot, ShotFile};
 /// Number of shots that a thread gets at a time: a few hundred microseconds of work, so that the
 /// overhead is negligible and all threads end at about the same time.
 const CHUNK: usize = 64;
-
-/// Pocket index of a ball that is on the table at the end.
-pub const ON_TABLE: i8 = -1;
-/// Pocket index of a ball that has left the table.
-pub const OFF_TABLE: i8 = -2;
-/// Pocket index in a column for which the shot has no ball, and in the row of a failed shot.
-pub const PADDING: i8 = -3;
 
 /// Results of a batch: `shots` rows of `balls` columns each, in the order of the input. A failed
 /// shot's row has NaN positions, [`PADDING`] pockets and 0 events.
@@ -44,34 +39,107 @@ pub struct BatchResult {
     pub errors: Vec<(usize, Error)>,
 }
 
+/// Arrays of the caller for the results of a batch, with the contents of the fields of
+/// [`BatchResult`]: a row for each shot.
+#[derive(Debug)]
+pub struct BatchArrays<'a> {
+    /// Columns of a row, at least the balls of the largest shot.
+    pub balls: usize,
+    /// `balls` positions a row, m.
+    pub final_position: &'a mut [[f64; 3]],
+    /// `balls` numbers a row.
+    pub pocket: &'a mut [i8],
+    /// One number a row.
+    pub events: &'a mut [i32],
+}
+
+impl BatchArrays<'_> {
+    fn check(&self, shots: usize, largest: usize) -> Result<(), Error> {
+        let wrong = |place, found: usize, needed: usize| {
+            Err(ErrorKind::WrongCount.at(
+                place,
+                format!("there is room for {found} values, and the batch has {needed}"),
+                format!("give an array of {needed}"),
+            ))
+        };
+        if self.balls < largest {
+            return wrong("balls", self.balls, largest);
+        }
+        let all = shots * self.balls;
+        for (place, found, needed) in [
+            ("final_position", self.final_position.len(), all),
+            ("pocket", self.pocket.len(), all),
+            ("events", self.events.len(), shots),
+        ] {
+            if found != needed {
+                return wrong(place, found, needed);
+            }
+        }
+        Ok(())
+    }
+}
+
 /// Simulates every shot, on the threads of `runner`.
 pub fn simulate_batch<S: AsRef<Shot> + Sync>(shots: &[S], runner: &Runner) -> BatchResult {
-    let balls = shots.iter().map(|s| s.as_ref().balls.len()).max().unwrap_or(0);
-    run(shots.len(), balls, runner, |k| {
-        let shot = shots[k].as_ref();
-        Ok((Cow::Borrowed(shot), shot.strike))
-    })
+    let balls = largest(shots);
+    run(shots.len(), balls, runner, |k| own_item(shots[k].as_ref()))
+}
+
+/// As [`simulate_batch`], into arrays of the caller. Returns the shots that failed.
+///
+/// # Errors
+/// [`Error::Input`] if an array has another length than the batch.
+pub fn simulate_batch_into<S: AsRef<Shot> + Sync>(
+    shots: &[S],
+    arrays: BatchArrays<'_>,
+    runner: &Runner,
+) -> Result<Vec<(usize, Error)>, Error> {
+    arrays.check(shots.len(), largest(shots))?;
+    Ok(run_into(arrays, runner, |k| own_item(shots[k].as_ref())))
+}
+
+/// As [`simulate_strikes`], into arrays of the caller with a row for each of `strikes` strikes;
+/// `strike` gives them by index. Returns the strikes that failed.
+///
+/// # Errors
+/// [`Error::Input`] if an array has another length than the batch.
+pub fn simulate_strikes_into(
+    shot: &Shot,
+    strikes: usize,
+    strike: impl Fn(usize) -> Strike + Sync + Send,
+    arrays: BatchArrays<'_>,
+    runner: &Runner,
+) -> Result<Vec<(usize, Error)>, Error> {
+    arrays.check(strikes, shot.balls.len())?;
+    Ok(run_into(arrays, runner, |k| struck_item(shot, strike(k))))
+}
+
+fn largest<S: AsRef<Shot>>(shots: &[S]) -> usize {
+    shots.iter().map(|s| s.as_ref().balls.len()).max().unwrap_or(0)
+}
+
+fn own_item(shot: &Shot) -> Result<Item<'_>, Error> {
+    Ok((Cow::Borrowed(shot), shot.strike))
+}
+
+/// `shot` with another strike on its struck ball.
+fn struck_item(shot: &Shot, strike: Strike) -> Result<Item<'_>, Error> {
+    shot.resolve_strike(&strike)?;
+    let struck = shot.strike.as_ref().map_or(0, |(ball, _)| *ball);
+    Ok((Cow::Borrowed(shot), Some((struck, strike))))
 }
 
 /// Simulates `shot` once for each of `strikes`, played on its struck ball. A strike that a shot
 /// file would refuse fails; if the shot itself has no strike, every one fails.
 pub fn simulate_strikes(shot: &Shot, strikes: &[Strike], runner: &Runner) -> BatchResult {
-    let struck = shot.strike.as_ref().map_or(0, |(ball, _)| *ball);
-    run(strikes.len(), shot.balls.len(), runner, |k| {
-        let strike = strikes[k];
-        shot.resolve_strike(&strike)?;
-        Ok((Cow::Borrowed(shot), Some((struck, strike))))
-    })
+    run(strikes.len(), shot.balls.len(), runner, |k| struck_item(shot, strikes[k]))
 }
 
 /// As [`simulate_strikes`], with every strike at the elevation that `shot` gives it
 /// ([`Shot::at_own_elevation`]). The elevations in `strikes` are not used.
 pub fn simulate_at_own_elevation(shot: &Shot, strikes: &[Strike], runner: &Runner) -> BatchResult {
-    let struck = shot.strike.as_ref().map_or(0, |(ball, _)| *ball);
     run(strikes.len(), shot.balls.len(), runner, |k| {
-        let strike = shot.at_own_elevation(&strikes[k]);
-        shot.resolve_strike(&strike)?;
-        Ok((Cow::Borrowed(shot), Some((struck, strike))))
+        struck_item(shot, shot.at_own_elevation(&strikes[k]))
     })
 }
 
@@ -96,7 +164,7 @@ pub fn simulate_variants(
 /// one shot on several tables: variant number v is played on the shot with index v modulo their count.
 ///
 /// # Errors
-/// As [`simulate_variants`], also without shots.
+/// As [`simulate_variants`], also without shots, and if the runner's device fails.
 pub fn simulate_variants_in_turn(
     shots: &[Shot],
     strikes: &[Strike],
@@ -107,7 +175,7 @@ pub fn simulate_variants_in_turn(
     errors.check()?;
     let some = shots.first().ok_or_else(no_strike)?;
     let (struck, _) = own_strike(some)?;
-    Ok(run(strikes.len(), some.balls.len(), runner, |k| {
+    let result = run(strikes.len(), some.balls.len(), runner, |k| {
         let number = first.wrapping_add(k as u64);
         let shot = &shots[(number % shots.len() as u64) as usize];
         let strike = Some((struck, strikes[k]));
@@ -120,7 +188,11 @@ pub fn simulate_variants_in_turn(
             variant.resolve_strike(&strikes[k])?;
         }
         Ok((variant, strike))
-    }))
+    });
+    match result.errors.iter().find(|(_, error)| error.kind() == ErrorKind::System) {
+        Some((_, failure)) => Err(failure.clone()),
+        None => Ok(result),
+    }
 }
 
 /// The most strikes of one call of [`draw_strikes`]; they take 4 GB of memory.
@@ -196,10 +268,25 @@ fn run<'a>(
         events: vec![0; shots],
         errors: Vec::new(),
     };
+    let BatchResult { final_position, pocket, events, .. } = &mut result;
+    result.errors = run_into(BatchArrays { balls, final_position, pocket, events }, runner, item);
+    result
+}
+
+/// As [`run`], into arrays of the right lengths. Returns the errors.
+fn run_into<'a>(
+    arrays: BatchArrays<'_>,
+    runner: &Runner,
+    item: impl Fn(usize) -> Result<Item<'a>, Error> + Sync + Send,
+) -> Vec<(usize, Error)> {
+    if let Some(device) = runner.device() {
+        return run_on(device, arrays, runner, item);
+    }
+    let BatchArrays { balls, final_position, pocket, events } = arrays;
     let width = balls.max(1);
-    let chunks = result.final_position.chunks_mut(CHUNK * width);
-    let chunks = chunks.zip(result.pocket.chunks_mut(CHUNK * width));
-    let chunks = chunks.zip(result.events.chunks_mut(CHUNK)).enumerate();
+    let chunks = final_position.chunks_mut(CHUNK * width);
+    let chunks = chunks.zip(pocket.chunks_mut(CHUNK * width));
+    let chunks = chunks.zip(events.chunks_mut(CHUNK)).enumerate();
     let rows = chunks.map(|(c, ((position, pocket), events))| Chunk {
         first: c * CHUNK,
         position,
@@ -208,8 +295,80 @@ fn run<'a>(
     });
     let errors = runner
         .map(rows, Simulator::new, |simulator, rows| play_rows(simulator, rows, width, &item));
-    result.errors = errors.into_iter().flatten().collect();
-    result
+    errors.into_iter().flatten().collect()
+}
+
+/// As [`run_into`], on `device`. What the device cannot play is played here: shots with too many balls,
+/// and those that fail, for their errors.
+fn run_on<'a>(
+    device: &dyn Device,
+    mut arrays: BatchArrays<'_>,
+    runner: &Runner,
+    item: impl Fn(usize) -> Result<Item<'a>, Error> + Sync + Send,
+) -> Vec<(usize, Error)> {
+    let (most, count) = (device.most_shots().max(1), arrays.events.len());
+    let mut simulator = Simulator::new();
+    let mut errors = Vec::new();
+    for first in (0..count).step_by(most) {
+        let end = count.min(first + most);
+        let chunks = (first..end).step_by(CHUNK).map(|k| k..end.min(k + CHUNK));
+        let items = runner.map(chunks, || (), |(), chunk| chunk.map(&item).collect::<Vec<_>>());
+        let mut on_device = Vec::new();
+        let mut flat = FlatShots::default();
+        for (k, item) in (first..).zip(items.into_iter().flatten()) {
+            match item {
+                Ok((shot, strike)) if shot.balls.len() <= device.most_balls() => {
+                    flat.push(&shot, strike);
+                    on_device.push((k, shot, strike));
+                }
+                item => errors.extend(arrays.play(k, &item, &mut simulator)),
+            }
+        }
+        let ends = device.play(&flat);
+        for (place, (k, shot, strike)) in on_device.into_iter().enumerate() {
+            match &ends {
+                Ok(ends) if ends.end[place].events > 0 => {
+                    arrays.copy(k, shot.balls.len(), ends, place);
+                }
+                Ok(_) => errors.extend(arrays.play(k, &Ok((shot, strike)), &mut simulator)),
+                Err(error) => errors.extend(arrays.play(k, &Err(error.clone()), &mut simulator)),
+            }
+        }
+    }
+    errors.sort_by_key(|(k, _)| *k);
+    errors
+}
+
+impl BatchArrays<'_> {
+    /// Writes the row `k`, of `count` balls, with the results of the shot at `place`.
+    fn copy(&mut self, k: usize, count: usize, ends: &FlatEnds, place: usize) {
+        let row = k * self.balls..(k + 1) * self.balls;
+        let from = place * ends.width;
+        self.events[k] = ends.end[place].events as i32;
+        let (pockets, padding) = self.pocket[row.clone()].split_at_mut(count);
+        pockets.copy_from_slice(&ends.pocket[from..][..count]);
+        padding.fill(PADDING);
+        let (places, padding) = self.final_position[row].split_at_mut(count);
+        let positions = ends.position[from..][..count].iter().map(|position| position.to_array());
+        places.iter_mut().zip(positions).for_each(|(to, from)| *to = from);
+        padding.fill([f64::NAN; 3]);
+    }
+
+    /// Plays `item` here and writes it to the row `k`. Returns its error.
+    fn play(
+        &mut self,
+        k: usize,
+        item: &Result<Item<'_>, Error>,
+        simulator: &mut Simulator,
+    ) -> Vec<(usize, Error)> {
+        let row = Chunk {
+            first: k,
+            position: &mut self.final_position[k * self.balls..][..self.balls],
+            pocket: &mut self.pocket[k * self.balls..][..self.balls],
+            events: &mut self.events[k..=k],
+        };
+        play_rows(simulator, row, self.balls.max(1), |_| item.clone())
+    }
 }
 
 /// The results of some consecutive shots.
@@ -233,6 +392,8 @@ fn play_rows<'a>(
     for (k, ((position, pocket), events)) in rows_of_balls.zip(rows.events).enumerate() {
         let played = item(rows.first + k).and_then(|(shot, strike)| {
             let count = shot.balls.len();
+            position[count..].fill([f64::NAN; 3]);
+            pocket[count..].fill(PADDING);
             let mut recorder = PocketRecorder::new(&mut pocket[..count]);
             let summary = simulator.play_strike(&shot, strike, &mut recorder)?;
             *events = summary.events as i32;
@@ -246,32 +407,11 @@ fn play_rows<'a>(
             Ok(())
         });
         if let Err(error) = played {
+            position.fill([f64::NAN; 3]);
             pocket.fill(PADDING);
+            *events = 0;
             errors.push((rows.first + k, error));
         }
     }
     errors
-}
-
-/// Records the pocket that each ball fell into: its index in `Table::pockets`, or [`ON_TABLE`].
-#[derive(Debug)]
-pub struct PocketRecorder<'a> {
-    pockets: &'a mut [i8],
-}
-
-impl<'a> PocketRecorder<'a> {
-    /// A recorder that writes into `pockets`, one number for each ball of the shot.
-    pub fn new(pockets: &'a mut [i8]) -> Self {
-        pockets.fill(ON_TABLE);
-        Self { pockets }
-    }
-}
-
-impl Recorder for PocketRecorder<'_> {
-    #[inline(always)]
-    fn record(&mut self, event: &Event<'_>) {
-        if let EventKind::PocketCollision(pocket) = event.kind {
-            self.pockets[usize::from(event.balls[0])] = pocket as i8;
-        }
-    }
 }

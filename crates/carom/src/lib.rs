@@ -44,6 +44,7 @@
 //! The same shot gives the same bits on every platform, with or without the features `std`
 //! (hardware square roots, wide vectors), `json` (files) and `parallel` (batches on all cores).
 #![cfg_attr(not(feature = "std"), no_std)]
+#![cfg_attr(target_arch = "nvptx64", feature(core_float_math))]
 
 extern crate alloc;
 
@@ -51,6 +52,7 @@ pub mod ball;
 pub mod batch;
 pub mod candidates;
 pub mod detect;
+pub mod device;
 pub mod edition;
 pub mod error;
 pub mod event;
@@ -62,6 +64,7 @@ pub mod motion;
 pub mod noise;
 pub mod outcome;
 pub mod physics;
+mod pocket;
 pub mod rack;
 mod range;
 pub mod resolve;
@@ -74,6 +77,7 @@ pub mod table;
 pub mod trace;
 mod trace_event;
 pub mod tracks;
+pub mod version;
 
 pub use ball::{Ball, BallState, MotionState};
 pub use error::{Error, ErrorKind};

@@ -12,7 +12,10 @@ pub use libm::{acos, asin, atan, atan2, ceil, cos, exp, log, pow, sin, tan};
 pub fn sqrt(x: f64) -> f64 {
     #[cfg(feature = "std")]
     return x.sqrt();
-    #[cfg(not(feature = "std"))]
+    // The instruction of the device; the function of `libm` takes a hundred.
+    #[cfg(target_arch = "nvptx64")]
+    return core::f64::math::sqrt(x);
+    #[cfg(not(any(feature = "std", target_arch = "nvptx64")))]
     return libm::sqrt(x);
 }
 
@@ -46,6 +49,7 @@ pub const fn radians(degrees: f64) -> f64 {
 
 /// A vector in the table plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
 pub struct Vec2 {
     /// Along the table's width.
     pub x: f64,
@@ -55,6 +59,7 @@ pub struct Vec2 {
 
 /// A vector in space; z points up from the slate.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
 pub struct Vec3 {
     /// Along the table's width.
     pub x: f64,

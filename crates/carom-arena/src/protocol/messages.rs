@@ -9,7 +9,6 @@ use carom_rules::{Frame, Game, Seat};
 
 use super::greeting::{PROTOCOL, Wishes};
 use super::menu::Menu;
-use super::plays::call_node;
 use super::text;
 use crate::arena_frame::{ArenaFrame, Ask, LastShot};
 use crate::record::{clock_node, disclosure_node, place, strike};
@@ -157,7 +156,7 @@ fn last_node(frame: &Frame, last: &LastShot<'_>) -> Node {
     if let Some(at) = last.execution.cue_ball {
         node.set("cue_ball", place(at));
     }
-    if let Some(call) = call_node(frame, last.call) {
+    if let Some(call) = frame.call_node(last.call) {
         node.set("call", call);
     }
     node.set("ruling", frame.ruling_node(last.ruling));

@@ -2,11 +2,9 @@
 
 use carom::error::InputError;
 use carom::format::{Node, Reader};
-use carom::math::radians;
-use carom::resolve::cue_ball::Strike;
 use carom::{Error, ErrorKind};
 use carom_mind::{Answer, Decision, Spent};
-use carom_rules::{Call, Choice, Frame, Play};
+use carom_rules::{Choice, Frame};
 
 use super::menu::Menu;
 
@@ -59,7 +57,7 @@ pub(super) fn read(line: &str, id: i64, frame: &Frame, menu: &Menu) -> Result<Re
         return Err(Refusal { id: found, fault });
     }
     let answer = match kind {
-        "play" => read_play(frame, &at).map(Answer::Play),
+        "play" => frame.read_play(&at).map(Answer::Play),
         "choose" => read_choice(&at).map(Answer::Choice),
         "pick" => menu.read_pick(&at),
         _ => Ok(Answer::Concede),
@@ -86,61 +84,6 @@ fn read_id(at: &Reader<'_>) -> Result<i64, Error> {
 
 fn read_choice(at: &Reader<'_>) -> Result<Choice, Error> {
     Choice::read(at.require("choice", "one of the choices")?.text("the name of a choice")?)
-}
-
-/// The play of an answer. Its strike, its place and its call have the form of
-/// [`Frame::answer_schema`]; other keys are passed over.
-fn read_play(frame: &Frame, at: &Reader<'_>) -> Result<Play, Error> {
-    let strike = at.require("strike", "\"strike\": {\"speed\": 2.0, \"azimuth_deg\": 90.0}")?;
-    let speed = strike.require("speed", "the cue's speed in m/s")?.number()?;
-    let azimuth = read_angle(&strike, "azimuth", "azimuth_deg")?;
-    let azimuth = azimuth.ok_or_else(|| {
-        let remedy = "write the cue's direction in degrees, or `azimuth` in radians";
-        ErrorKind::Missing.at("strike.azimuth_deg", "the key is missing", remedy)
-    })?;
-    let elevation = read_angle(&strike, "elevation", "elevation_deg")?;
-    let offset = |key| strike.get(key).map_or(Ok(0.0), |value| value.number());
-    let strike = Strike {
-        speed,
-        azimuth,
-        elevation: elevation.unwrap_or(0.0),
-        side: offset("side")?,
-        height: offset("height")?,
-    };
-    let cue_ball = at.get("cue_ball").map(|place| read_place(&place)).transpose()?;
-    let call = at.get("call").map_or(Ok(Call::Nothing), |call| read_call(frame, &call))?;
-    let play = Play { cue_ball, call, ..Play::new(strike) };
-    if elevation.is_some() { Ok(play) } else { frame.at_default_elevation(&play) }
-}
-
-/// An angle, rad, in radians or in degrees; `None` if neither key is there.
-fn read_angle(at: &Reader<'_>, rad: &str, deg: &str) -> Result<Option<f64>, Error> {
-    match (at.get(rad), at.get(deg)) {
-        (Some(one), Some(_)) => {
-            let what = format!("{deg} gives the same angle");
-            let remedy = format!("keep {rad} (rad) or {deg} (degrees)");
-            Err(one.refuse(ErrorKind::Duplicate, what, remedy))
-        }
-        (Some(angle), None) => angle.number().map(Some),
-        (None, Some(angle)) => angle.number().map(|angle| Some(radians(angle))),
-        (None, None) => Ok(None),
-    }
-}
-
-fn read_place(at: &Reader<'_>) -> Result<[f64; 2], Error> {
-    const WANTED: &str = "a list of two numbers, x and y in m";
-    match at.items(WANTED)?.as_slice() {
-        [x, y] => Ok([x.number()?, y.number()?]),
-        _ => Err(at.wrong_type(WANTED)),
-    }
-}
-
-/// A call. Records of matches name the pocket `pocket`, so this key is read too.
-fn read_call(frame: &Frame, at: &Reader<'_>) -> Result<Call, Error> {
-    let kind = at.require("kind", "\"kind\": \"pocket\"")?.text("the kind of the call")?;
-    let text = |key: &str| at.get(key).map(|value| value.text("a name")).transpose();
-    let into = text("into")?.or(text("pocket")?);
-    frame.call(kind, text("ball")?, into)
 }
 
 /// What a program says of its answer.

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use carom::format::{Node, Reader};
+use carom::limits::MOST_EVENTS;
 use carom::noise::Perception;
 use carom::{Error, ErrorKind, Noise};
 use carom_rules::{Game, Options};
@@ -149,7 +150,7 @@ fn read_settings(header: &Reader<'_>) -> Result<MatchSettings, Error> {
     let known = Game::ALL.map(Game::name);
     let game = Game::named(name).ok_or_else(|| game.unknown_word(name, "game", &known))?;
     let require = |key: &str| header.require(key, "the setting");
-    let max_events = require("max_events")?.whole(1, u32::MAX.into())? as u32;
+    let max_events = require("max_events")?.whole(1, MOST_EVENTS.into())? as u32;
     Ok(MatchSettings {
         game,
         options: read_options(&require("options")?)?,

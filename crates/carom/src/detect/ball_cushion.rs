@@ -10,7 +10,7 @@
 //! [`JOIN_OVERLAP`], and round parts are not. A ball that enters the span of a part from the side
 //! also meets the part.
 //!
-//! [`Table::reach`]: crate::Table::reach
+//! [`Table::reach`]: crate::table::TableGeometry::reach
 
 use carom_roots::{Motion, first_contact, first_crossing};
 

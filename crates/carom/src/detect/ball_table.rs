@@ -10,8 +10,9 @@ use carom_roots::{Motion, first_crossing};
 use super::ball_cushion;
 use super::ball_pocket;
 use crate::math::Vec2;
-use crate::table::TableFeature;
-use crate::table::{JOIN_OVERLAP, Shape, Table};
+use crate::table::{
+    Capture, CushionPart, Gate, JOIN_OVERLAP, Pocket, Shape, TableFeature, TableGeometry,
+};
 
 /// First feature of `table` that a ball on the cloth meets, and when. Its radius is `radius` (m);
 /// its centre moves on d + v t + h t² (in the table's coordinates) within [0, `horizon`] (s, may be
@@ -21,7 +22,7 @@ use crate::table::{JOIN_OVERLAP, Shape, Table};
 /// it ([`ball_cushion`], [`ball_pocket`]).
 #[inline(always)]
 pub fn first_meeting(
-    table: &Table,
+    table: &TableGeometry,
     radius: f64,
     path: &Motion<2>,
     horizon: f64,
@@ -33,7 +34,7 @@ pub fn first_meeting(
 /// The path is passed by value: a vector load of scalars stored just before would stall on
 /// store-to-load forwarding.
 fn meeting(
-    table: &Table,
+    table: &TableGeometry,
     radius: f64,
     d: Vec2,
     v: Vec2,
@@ -45,21 +46,82 @@ fn meeting(
     let reach = table.reach(radius);
     let inner = Vec2::new(geometry.half.x - reach, geometry.half.y - reach);
     if reach < geometry.clear_reach {
-        return among_all(table, reach, path, horizon);
+        let clear = keeps_clear(table, geometry.clear_reach, path, horizon);
+        return if clear { None } else { before_gates(table, reach, inner, path, horizon) };
     }
     if keeps_clear(table, reach, path, horizon) {
         return None;
     }
-    let start = Vec2::new(path.d[0], path.d[1]);
-    if !geometry.mouths.is_empty()
-        && ((start.x.abs() > inner.x && !on_long_nose(table, start.y))
-            || (start.y.abs() > inner.y && !on_short_nose(table, start.x)))
-    {
+    if starts_in_mouth(table, inner, path) {
         return in_mouth(table, reach, path, 0.0, horizon);
     }
+    match exit_from(table, inner, path, horizon)? {
+        (t, Some(nose)) => Some((t, TableFeature::Cushion(nose))),
+        (t, None) => in_mouth(table, reach, path, t, horizon),
+    }
+}
+
+/// The first meeting on a table where gates or holes lie in the playing area shrunk by the reach:
+/// lines from tip to tip, whose corner pockets cut off the corners of this area.
+///
+/// A path that provably stays before all gates until it leaves the area meets nothing but the nose
+/// that it comes to there. All other paths are searched among all parts.
+fn before_gates(
+    table: &TableGeometry,
+    reach: f64,
+    inner: Vec2,
+    path: &Motion<2>,
+    horizon: f64,
+) -> Option<(f64, TableFeature)> {
+    let all = || among_all(table, reach, path, horizon);
+    let has_gates_only =
+        table.pockets.iter().all(|p| matches!(p.capture, Capture::MouthLine { .. }));
+    if !has_gates_only || starts_in_mouth(table, inner, path) {
+        return all();
+    }
+    let exit = exit_from(table, inner, path, horizon);
+    let window = Window::new(path, 0.0, exit.map_or(horizon, |(t, _)| t));
+    let stays_before = table
+        .pockets
+        .iter()
+        .zip(&table.index.mouths)
+        .all(|(pocket, mouth)| window.is_clear_of_gate(pocket, &mouth.gate, reach));
+    match exit {
+        _ if !stays_before => all(),
+        None => None,
+        // Near the end of a nose another part may be met first.
+        Some((t, Some(nose))) if is_well_within(&table.cushions[usize::from(nose)], path.at(t)) => {
+            // The time of the search among all parts, to the bit.
+            let shape = &table.cushions[usize::from(nose)].shape;
+            let touch = ball_cushion::first_touch(shape, reach, path, horizon);
+            touch.map_or_else(all, |t| Some((t, TableFeature::Cushion(nose))))
+        }
+        Some(_) => all(),
+    }
+}
+
+/// Whether a path begins outside the playing area shrunk by the reach (`inner`, half its size) and
+/// not before a nose.
+#[inline(always)]
+fn starts_in_mouth(table: &TableGeometry, inner: Vec2, path: &Motion<2>) -> bool {
+    let start = Vec2::new(path.d[0], path.d[1]);
+    !table.index.mouths.is_empty()
+        && ((start.x.abs() > inner.x && !on_long_nose(table, start.y))
+            || (start.y.abs() > inner.y && !on_short_nose(table, start.x)))
+}
+
+/// When a path leaves the playing area shrunk by the reach (`inner`, half its size), and the index
+/// of the nose there; `None` for a mouth.
+#[inline(always)]
+fn exit_from(
+    table: &TableGeometry,
+    inner: Vec2,
+    path: &Motion<2>,
+    horizon: f64,
+) -> Option<(f64, Option<u16>)> {
     let across = exit(inner.x, path.d[0], path.v[0], path.h[0], horizon);
     let up_to = across.map_or(horizon, |(t, _)| t);
-    let (t, rail) = match exit(inner.y, path.d[1], path.v[1], path.h[1], up_to) {
+    let (t, place) = match exit(inner.y, path.d[1], path.v[1], path.h[1], up_to) {
         // Both at once, in the corner of a plain rectangle: the long rail comes first.
         Some((t, positive)) if across.is_none_or(|(x, _)| t < x) => {
             let x = path.d[0] + t * (path.v[0] + t * path.h[0]);
@@ -72,16 +134,21 @@ fn meeting(
             (t, on_long_nose(table, y).then_some(place))
         }
     };
-    match rail {
-        Some(place) => Some((t, TableFeature::Cushion(geometry.noses[place]))),
-        None => in_mouth(table, reach, path, t, horizon),
-    }
+    Some((t, place.map(|place| table.index.noses[place])))
+}
+
+/// Whether `p` (m) is beside a straight part, at least [`WELL_WITHIN`] from both ends.
+fn is_well_within(part: &CushionPart, p: [f64; 2]) -> bool {
+    let Shape::Segment { start, end, normal } = part.shape else { return false };
+    let tangent = normal.perp();
+    let [a, b, s] = [start, end, Vec2::new(p[0], p[1])].map(|q| tangent.dot(q));
+    s > a.min(b) + WELL_WITHIN && s < a.max(b) - WELL_WITHIN
 }
 
 /// Whether a path provably stays in the playing area shrunk by `reach` (m) over [0, `horizon`],
 /// where a ball meets nothing.
 #[inline(always)]
-pub fn keeps_clear(table: &Table, reach: f64, path: &Motion<2>, horizon: f64) -> bool {
+pub fn keeps_clear(table: &TableGeometry, reach: f64, path: &Motion<2>, horizon: f64) -> bool {
     let half = table.index.half;
     stays_inside(half.x - reach, path.d[0], path.v[0], path.h[0], horizon)
         && stays_inside(half.y - reach, path.d[1], path.v[1], path.h[1], horizon)
@@ -98,6 +165,10 @@ fn stays_inside(limit: f64, d: f64, v: f64, h: f64, horizon: f64) -> bool {
 /// at most this fraction of its initial speed. Rounding causes such a speed when a ball rolls until
 /// it is at rest. The ball moves back by less than the rounding error of a position.
 const NO_TURN: f64 = 1e-12;
+
+/// Distance of a contact from the ends of a nose, and of a path from a gate, m, within which all
+/// parts are searched: far more than the rounding errors, and than [`JOIN_OVERLAP`].
+const WELL_WITHIN: f64 = 1e-6;
 
 /// A coordinate that ends at least this far inside its limit has not reached it, m: ten thousand
 /// rounding errors.
@@ -128,13 +199,13 @@ fn exit(limit: f64, d: f64, v: f64, h: f64, horizon: f64) -> Option<(f64, bool)>
 
 /// Whether the nose of a short rail is at abscissa `x`, or no pocket is beside it.
 #[inline(always)]
-fn on_short_nose(table: &Table, x: f64) -> bool {
+fn on_short_nose(table: &TableGeometry, x: f64) -> bool {
     x.abs() <= table.index.nose_x + JOIN_OVERLAP || table.index.mouths.is_empty()
 }
 
 /// Whether the nose of a long rail is at ordinate `y`, or no pocket is beside it.
 #[inline(always)]
-fn on_long_nose(table: &Table, y: f64) -> bool {
+fn on_long_nose(table: &TableGeometry, y: f64) -> bool {
     let [from, to] = table.index.nose_y;
     let beside = y.abs();
     (beside >= from - JOIN_OVERLAP && beside <= to + JOIN_OVERLAP) || table.index.mouths.is_empty()
@@ -145,7 +216,7 @@ fn on_long_nose(table: &Table, y: f64) -> bool {
 /// While the ball stays in that pocket's quarter (or, for a side pocket, middle) of the table, it
 /// can meet only that pocket's parts. A path that leaves this region is searched among all parts.
 fn in_mouth(
-    table: &Table,
+    table: &TableGeometry,
     reach: f64,
     path: &Motion<2>,
     from: f64,
@@ -233,6 +304,11 @@ impl Window {
         }
     }
 
+    /// Whether the centre of a ball with this `reach` (m) provably stays before a gate.
+    fn is_clear_of_gate(&self, pocket: &Pocket, gate: &Gate, reach: f64) -> bool {
+        self.least(-pocket.axis) > WELL_WITHIN - (gate.offset + gate.lean * reach)
+    }
+
     /// Whether the path provably stays further than `distance` (m) from `center`: it passes at one
     /// side, or stays apart along the line from `center` to the path's end.
     fn is_clear_of_disc(&self, center: Vec2, distance: f64) -> bool {
@@ -251,7 +327,7 @@ impl Window {
 
 /// The first contact among all parts and pockets.
 fn among_all(
-    table: &Table,
+    table: &TableGeometry,
     reach: f64,
     path: &Motion<2>,
     horizon: f64,
@@ -270,6 +346,11 @@ fn among_all(
         }
     }
     for (i, (pocket, mouth)) in table.pockets.iter().zip(&table.index.mouths).enumerate() {
+        if window.is_clear_of_gate(pocket, &mouth.gate, reach)
+            && window.is_clear_of_disc(pocket.center, pocket.radius)
+        {
+            continue;
+        }
         if let Some(t) = ball_pocket::first_capture(pocket, &mouth.gate, reach, path, horizon)
             && first.is_none_or(|(earliest, _)| t < earliest)
         {
@@ -277,4 +358,34 @@ fn among_all(
         }
     }
     first
+}
+
+#[cfg(test)]
+mod tests {
+    use carom_roots::Motion;
+    use chacha20::ChaCha8Rng;
+    use chacha20::rand_core::{Rng, SeedableRng};
+
+    use super::{among_all, first_meeting};
+    use crate::table::Table;
+
+    #[test]
+    fn a_path_before_the_gates_meets_what_the_search_among_all_parts_finds() {
+        let table = Table::preset("poolfiz").expect("a preset");
+        let (radius, half) = (0.028575, table.index.half);
+        let mut random = ChaCha8Rng::seed_from_u64(1);
+        let mut noses = 0;
+        for _ in 0..50_000 {
+            let mut between =
+                |limit: f64| limit * (f64::from(random.next_u32()) / 2147483648.0 - 1.0);
+            let d = [between(half.x - radius), between(half.y - radius)];
+            let v = [between(3.0), between(3.0)];
+            let h = [between(1.0), between(1.0)];
+            let (path, horizon) = (Motion { d, v, h }, 1.0 + between(1.0));
+            let found = first_meeting(&table, radius, &path, horizon);
+            assert_eq!(found, among_all(&table, table.reach(radius), &path, horizon), "{path:?}");
+            noses += usize::from(found.is_some());
+        }
+        assert!(noses > 20_000, "{noses}");
+    }
 }

@@ -17,7 +17,7 @@ use carom_roots::{Motion, first_crossing, first_ring_contact};
 use super::edge::{self, below, earlier, first_touch_of_hole, keeps_below, plan, relative};
 use crate::math::Vec2;
 use crate::table::TableFeature;
-use crate::table::{AISLE, Bounds, Capture, Shape, Table};
+use crate::table::{AISLE, BoundPart, Bounds, Capture, Shape, TableGeometry};
 
 /// The surface under a ball (slate or hole, rail's top or opening) is the one below a point this
 /// far ahead of the centre, m: a ball exactly above an edge moves towards one of the two. Ten
@@ -42,7 +42,7 @@ const PASSED: f64 = 1e-12;
 /// On a table with rails, and on unbounded cloth, every flight ends, so the result is `None` only
 /// if the `horizon` comes first.
 pub fn first_meeting(
-    table: &Table,
+    table: &TableGeometry,
     radius: f64,
     path: &Motion<3>,
     horizon: f64,
@@ -104,7 +104,7 @@ impl Earliest {
 }
 
 struct Flight<'a> {
-    table: &'a Table,
+    table: &'a TableGeometry,
     radius: f64,
     path: &'a Motion<3>,
     /// Time at which the ball comes down to the slate, if within the horizon, s.
@@ -205,7 +205,7 @@ impl Flight<'_> {
         {
             return;
         }
-        let Table { index, pockets, .. } = self.table;
+        let TableGeometry { index, pockets, .. } = self.table;
         let mut track = PlanLine::new(self.path, first.last);
         if let Some((_, TableFeature::Lip(k))) = first.found
             && self.keeps_to_middle(usize::from(k), &track)
@@ -232,8 +232,8 @@ impl Flight<'_> {
             if field.is_clear_of(&mouth.bounds) {
                 continue;
             }
-            for (part, place) in &mouth.all {
-                if !field.is_clear_of(place) {
+            for BoundPart { part, bounds } in &mouth.all {
+                if !field.is_clear_of(bounds) {
                     self.meet_part(usize::from(*part), first, &mut track, last);
                 }
             }

@@ -7,13 +7,13 @@ use carom_roots::{Motion, first_crossing};
 
 use crate::math::{Vec2, sqrt};
 use crate::table::TableFeature;
-use crate::table::{Bounds, Capture, JOIN_OVERLAP, Pocket, Shape, Table, arc_sides};
+use crate::table::{Bounds, Capture, JOIN_OVERLAP, Pocket, Shape, TableGeometry, arc_sides};
 
 /// First time in [0, `horizon`] (s, may be infinite) at which a ball on a rail's top loses its
 /// support, and where: `Brink` at the edge of a cushion or pocket, `Edge` at the border. The centre
 /// moves on d + v t + h t² (m, in the engine's coordinates, in plan view).
 pub fn first_loss_of_support(
-    table: &Table,
+    table: &TableGeometry,
     path: &Motion<2>,
     horizon: f64,
 ) -> Option<(f64, TableFeature)> {

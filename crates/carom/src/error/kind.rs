@@ -98,6 +98,19 @@ kinds! {
     TouchesBall "touches-ball" [] "The cue ball would touch another ball."
 }
 
+/// Longest place and fault of an error, characters. Only keys and words of a file that they repeat
+/// make them longer.
+const LONGEST: usize = 1000;
+
+/// The start of a text, with `…` if it is longer than [`LONGEST`].
+fn clipped(mut text: String) -> String {
+    if let Some((end, _)) = text.char_indices().nth(LONGEST) {
+        text.truncate(end);
+        text.push('…');
+    }
+    text
+}
+
 impl ErrorKind {
     /// Bad input of this kind at `place`: `what` is wrong, `remedy` says what to do.
     pub fn at(
@@ -108,8 +121,8 @@ impl ErrorKind {
     ) -> Error {
         Error::Input(Box::new(InputError {
             kind: self,
-            place: place.into(),
-            what: what.into(),
+            place: clipped(place.into()),
+            what: clipped(what.into()),
             remedy: remedy.into(),
             details: Vec::new(),
         }))

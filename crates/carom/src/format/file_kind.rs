@@ -7,7 +7,7 @@ use super::{SHOT_FORMAT, TRACE_FORMAT};
 use crate::error::{Error, ErrorKind};
 
 /// Each format with what its file is, and what reads it.
-const KINDS: [(&str, &str, &str); 5] = [
+const KINDS: [(&str, &str, &str); 6] = [
     (SHOT_FORMAT, "a shot", "`carom shot FILE --json` prints its trace, and Shot.load reads it"),
     (
         TRACE_FORMAT,
@@ -17,6 +17,7 @@ const KINDS: [(&str, &str, &str); 5] = [
     ("carom-frame/1", "the record of a frame", "`carom think` and Frame.replay read it"),
     ("carom-sweep/1", "the spec of a sweep", "`carom sweep` and Sweep.load read it"),
     ("carom-match/1", "the record of a match", "`carom match --replay` reads it"),
+    ("carom-study/1", "a study", "`carom study check` and Study.load read it"),
 ];
 
 impl At<'_> {

@@ -10,14 +10,28 @@ use serde::de::{Deserialize, Deserializer, Error as _, MapAccess, SeqAccess, Vis
 
 use super::node::Node;
 use crate::error::{Error, ErrorKind};
+use crate::limits::MOST_BYTES;
 
 impl Node {
     /// Reads JSON text.
     ///
     /// # Errors
-    /// [`Error::Input`] for text that is not JSON, for a number too large for a double, and for a
-    /// key that occurs twice in one object.
+    /// [`Error::Input`] for text that is not JSON or longer than [`MOST_BYTES`], for a number too
+    /// large for a double, and for a key that occurs twice in one object.
     pub fn from_json(text: &str) -> Result<Self, Error> {
+        Self::from_json_within(text, MOST_BYTES)
+    }
+
+    /// As [`Self::from_json`], of a text of at most `most` bytes.
+    ///
+    /// # Errors
+    /// The same, for a longer text.
+    pub fn from_json_within(text: &str, most: usize) -> Result<Self, Error> {
+        if text.len() > most {
+            let what = format!("the text has {} bytes", text.len());
+            let remedy = format!("give at most {} MiB", most >> 20);
+            return Err(ErrorKind::OutOfRange.at("", what, remedy));
+        }
         // Some editors put a byte-order mark in front of UTF-8.
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let mut source = serde_json::Deserializer::from_str(text);

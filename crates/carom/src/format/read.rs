@@ -31,6 +31,14 @@ impl<'a> Reader<'a> {
         self.0.fields(known).map(drop)
     }
 
+    /// Checks that the value, the `format` of a file, is this one.
+    ///
+    /// # Errors
+    /// [`Error::Input`] that names the file's kind, if it is another one of carom's.
+    pub fn format(&self, expected: &'static str) -> Result<(), Error> {
+        self.0.format(expected)
+    }
+
     /// The value as a finite number.
     ///
     /// # Errors

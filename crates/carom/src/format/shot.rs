@@ -15,6 +15,9 @@ use super::read::At;
 use super::track::{self, FilmedBall};
 use super::{angle, balls, cling, physics, strike, table};
 use crate::error::Error;
+use crate::limits::MOST_EVENTS;
+#[cfg(feature = "json")]
+use crate::limits::MOST_SHOT_BYTES;
 use crate::resolve::cue_ball::Strike;
 use crate::shot::{
     Cling, DEFAULT_MAX_EVENTS, MovedBall, Parts, Shot, StrikePolicy, UNTIL, checked_balls,
@@ -78,7 +81,7 @@ impl ShotFile {
     /// refuses.
     #[cfg(feature = "json")]
     pub fn from_json(text: &str) -> Result<Self, Error> {
-        Self::from_node(Node::from_json(text)?)
+        Self::from_node(Node::from_json_within(text, MOST_SHOT_BYTES)?)
     }
 
     /// Reads a shot from a tree of values.
@@ -294,7 +297,7 @@ impl Shot {
     /// As [`ShotFile::from_json`].
     #[cfg(feature = "json")]
     pub fn from_json(text: &str) -> Result<Self, Error> {
-        read(&Node::from_json(text)?)
+        read(&Node::from_json_within(text, MOST_SHOT_BYTES)?)
     }
 
     /// Reads a shot from a tree of values.
@@ -383,7 +386,7 @@ fn read(file: &Node) -> Result<Shot, Error> {
     }
     let until = fields.get("until").map(|at| at.number(&UNTIL)).transpose()?;
     let max_events = match fields.get("max_events") {
-        Some(at) => at.whole(1, u32::MAX)?,
+        Some(at) => at.whole(1, MOST_EVENTS)?,
         None => DEFAULT_MAX_EVENTS,
     };
     let cling = fields.get("cling").map_or(Ok(Cling::NONE), |at| cling::read(&at))?;

@@ -14,7 +14,11 @@ pub use rolling_law::{RollingLaw, RollingTolerance};
 use crate::table::Part;
 
 /// All physical parameters of a shot except the table's geometry and the single balls.
+///
+/// It has no pointers, and every compiler lays it out in the same way, so that its bytes can be copied
+/// to a device (docs/gpu.md).
 #[derive(Clone, Debug, PartialEq)]
+#[repr(C)]
 pub struct Physics {
     /// Gravitational acceleration, m/s².
     pub gravity: f64,
@@ -54,6 +58,7 @@ impl Physics {
 
 /// Friction between ball and cloth.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Cloth {
     /// Coefficient of sliding friction μ_s.
     pub sliding_friction: f64,
@@ -71,6 +76,7 @@ macro_rules! models {
     ) => {
         $(#[$about])*
         #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+        #[repr(u8)]
         pub enum $models { $($(#[$doc])* $model,)+ }
 
         impl $models {
@@ -129,6 +135,7 @@ impl BallBallModel {
 
 /// Friction coefficient as a function of the slip speed: μ(s) = a + b·exp(−c·s).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct SlipFriction {
     /// Limit at high slip speed.
     pub a: f64,
@@ -152,6 +159,7 @@ impl SlipFriction {
 
 /// Ball against ball.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct BallBall {
     /// Model.
     pub model: BallBallModel,
@@ -191,6 +199,7 @@ models! {
 /// cV², limited to `lowest..=highest`. Han 2005 gives his measurements in this form; here every
 /// model can have it. A constant is `a` alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct CushionRestitution {
     /// Constant part.
     pub a: f64,
@@ -226,6 +235,7 @@ impl CushionRestitution {
 /// least 0. Han 2005 gives his measurements in this form; here every model with friction can have
 /// it. A constant is `a` alone.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct CushionFriction {
     /// Constant part.
     pub a: f64,
@@ -235,6 +245,7 @@ pub struct CushionFriction {
 
 /// Ball against cushion.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Cushion {
     /// Model.
     pub model: CushionModel,
@@ -263,6 +274,7 @@ impl Cushion {
 
 /// The restitution and friction of a surface.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Surface {
     /// Coefficient of restitution.
     pub restitution: f64,
@@ -279,6 +291,7 @@ impl Surface {
 
 /// How much of the impact the tip returns.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub enum Tip {
     /// Newton's coefficient of restitution.
     Restitution(f64),
@@ -299,6 +312,7 @@ models! {
 
 /// The cue.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Cue {
     /// Model of the strike.
     pub model: StrikeModel,
@@ -327,6 +341,7 @@ pub struct Cue {
 /// How long contacts last at an approach of 1 m/s without losses, s. At the speed V they last
 /// V^(−1/5) times as long (Hertz). The times matter only where several contacts act at once.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct ContactTimes {
     /// The tip of the cue on the ball.
     pub tip: f64,

@@ -32,6 +32,7 @@ pub struct RollingBand {
 /// Coefficient of rolling resistance μ_r as a function of the ball's speed, constant in bands. A
 /// rolling ball is decelerated by μ_r g (Leckie & Greenspan 2006, eq. 4, has one constant).
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct RollingFriction {
     /// The speed above which each band begins, m/s; 0 for the first, infinite for unused ones.
     above: [f64; MAX_ROLLING_BANDS],

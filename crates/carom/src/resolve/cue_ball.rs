@@ -40,7 +40,8 @@ use crate::resolve::network::{TipTouch, stiffness_of_time};
 pub const TIP: f64 = 1.0 / 6.0;
 
 /// A strike, in the shooter's frame.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[repr(C)]
 pub struct Strike {
     /// Cue speed at contact, m/s.
     pub speed: f64,

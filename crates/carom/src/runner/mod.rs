@@ -27,10 +27,10 @@
 //! ```
 
 use alloc::format;
-#[cfg(feature = "parallel")]
 use alloc::sync::Arc;
 use alloc::vec::Vec;
 
+use crate::device::Device;
 use crate::error::{Error, ErrorKind};
 
 #[cfg(feature = "parallel")]
@@ -51,6 +51,7 @@ static CORES: Pool = Pool::of_cores();
 #[derive(Clone, Debug, Default)]
 pub struct Runner {
     threads: Threads,
+    device: Option<Arc<dyn Device>>,
 }
 
 #[derive(Clone, Debug, Default)]
@@ -76,7 +77,7 @@ impl Runner {
     pub fn new(threads: Option<usize>) -> Result<Self, Error> {
         match threads {
             None => Ok(Self::default()),
-            Some(1) => Ok(Self { threads: Threads::Calling }),
+            Some(1) => Ok(Self::of(Threads::Calling)),
             Some(count) if (2..=MAX_THREADS).contains(&count) => Self::with_pool(count),
             Some(count) => Err(ErrorKind::OutOfRange.at(
                 "threads",
@@ -89,7 +90,7 @@ impl Runner {
     #[cfg(feature = "parallel")]
     fn with_pool(count: usize) -> Result<Self, Error> {
         match Pool::start(count) {
-            Ok(pool) => Ok(Self { threads: Threads::Own(Arc::new(pool)) }),
+            Ok(pool) => Ok(Self::of(Threads::Own(Arc::new(pool)))),
             Err(error) => Err(ErrorKind::System.at(
                 "threads",
                 format!("{count} threads could not be started ({error})"),
@@ -101,7 +102,23 @@ impl Runner {
     #[cfg(not(feature = "parallel"))]
     #[expect(clippy::unnecessary_wraps, reason = "the same signature with the feature `parallel`")]
     fn with_pool(_count: usize) -> Result<Self, Error> {
-        Ok(Self { threads: Threads::Calling })
+        Ok(Self::of(Threads::Calling))
+    }
+
+    const fn of(threads: Threads) -> Self {
+        Self { threads, device: None }
+    }
+
+    /// The same runner, whose batches ([`crate::batch`]) play their shots on `device`. All other work,
+    /// and shots that the device cannot play, stay on the threads.
+    #[must_use]
+    pub fn on(self, device: Arc<dyn Device>) -> Self {
+        Self { device: Some(device), ..self }
+    }
+
+    /// The device that batches use, if there is one.
+    pub fn device(&self) -> Option<&dyn Device> {
+        self.device.as_deref()
     }
 
     /// How many threads work at the same time.

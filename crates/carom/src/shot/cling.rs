@@ -11,6 +11,7 @@ pub const MOST_CONTACTS: u32 = 256;
 /// counts, also a slow one. Balls that are resolved together with a third one, or with the tip,
 /// neither count nor cling.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Cling {
     /// A bit for each contact.
     contacts: [u64; MOST_CONTACTS as usize / 64],
@@ -41,7 +42,7 @@ impl Cling {
 
     /// Whether no contact clings.
     pub fn is_empty(&self) -> bool {
-        self.contacts == Self::NONE.contacts
+        self.contacts.iter().all(|&contacts| contacts == 0)
     }
 
     /// Whether this contact clings.

@@ -482,16 +482,7 @@ impl Shot {
     /// that has not changed since the start gets the exact value of the file; the conversion would
     /// round it.
     pub fn to_file_coordinates(&self, ball: usize, state: &BallState) -> BallState {
-        let written = &self.balls[ball].state;
-        let start = self.table.to_engine_coordinates(written).position;
-        let mut out = self.table.to_file_coordinates(state);
-        if state.position.x == start.x {
-            out.position.x = written.position.x;
-        }
-        if state.position.y == start.y {
-            out.position.y = written.position.y;
-        }
-        out
+        self.table.to_file_coordinates_from(&self.balls[ball].state, state)
     }
 
     /// Whether the strike is a miscue. A shot has one only if its policy for miscues is

@@ -5,18 +5,19 @@ use carom_roots::Motion;
 use super::ball_set::BallSet;
 use super::row::PossiblePartners;
 use super::{Simulation, earlier};
+use crate::MotionState;
 use crate::detect::ball_table;
 use crate::detect::{flight, rail_top};
 use crate::motion::Path;
 use crate::table::TableFeature;
-use crate::{MotionState, Table};
+use crate::table::TableGeometry;
 
 /// The partner of a ball without a contact.
 const NO_PARTNER: u16 = u16::MAX;
 
 impl<const N: usize> Simulation<N> {
     /// Finds every ball's candidates at time 0.
-    pub(super) fn find_all_candidates(&mut self, table: &Table) {
+    pub(super) fn find_all_candidates(&mut self, table: &TableGeometry) {
         for i in 0..self.n {
             self.partner[i] = NO_PARTNER;
             self.find_own_candidates(i, 0.0, table);
@@ -34,7 +35,7 @@ impl<const N: usize> Simulation<N> {
 
     /// Recomputes, at `time`, the candidates of the balls in `changed`, which have new paths.
     #[inline(always)]
-    pub(super) fn find_candidates(&mut self, changed: &[u16], time: f64, table: &Table) {
+    pub(super) fn find_candidates(&mut self, changed: &[u16], time: f64, table: &TableGeometry) {
         let mut others = BallSet::EMPTY;
         for &i in changed {
             let i = usize::from(i);
@@ -60,7 +61,7 @@ impl<const N: usize> Simulation<N> {
     /// Finds the time at which ball `i`'s motion state ends, and what it meets on the table before
     /// that time.
     #[inline(always)]
-    pub(super) fn find_own_candidates(&mut self, i: usize, time: f64, table: &Table) {
+    pub(super) fn find_own_candidates(&mut self, i: usize, time: f64, table: &TableGeometry) {
         let path = &self.path[i];
         self.transition[i] = self.lanes.start[i] + path.duration;
         self.feature_time[i] = f64::INFINITY;
@@ -142,7 +143,11 @@ impl<const N: usize> Simulation<N> {
 
     /// The first feature of the table that a ball off the bed meets.
     #[cold]
-    fn first_feature_off_bed(&self, i: usize, table: &Table) -> Option<(f64, TableFeature)> {
+    fn first_feature_off_bed(
+        &self,
+        i: usize,
+        table: &TableGeometry,
+    ) -> Option<(f64, TableFeature)> {
         let path = &self.path[i];
         if path.motion != MotionState::Airborne {
             return rail_top::first_loss_of_support(table, &in_plan(path), path.duration);

@@ -301,7 +301,7 @@ impl<const N: usize> Simulation<N> {
         let mut bodies = [Body::new(&ball, &before)];
         let walls = &[slate_under(0, &ball, physics)];
         let impact = NetworkImpact { law: &physics.ball_ball, touches: &[], walls, tip: Some(tip) };
-        let report = impact.resolve(&mut bodies).unwrap_or_default();
+        let report = impact.resolve(&mut bodies, &mut self.network).unwrap_or_default();
         let [Body { velocity, angular_velocity, .. }] = bodies;
         let support = Support::under(&before);
         let after = support.settled(&before, velocity, angular_velocity, &ball, physics);
@@ -384,7 +384,7 @@ impl<const N: usize> Simulation<N> {
     /// Computes the states after the impact, from all contacts among the cluster's balls, with
     /// walls and with the tip.
     fn resolve_cluster(
-        &self,
+        &mut self,
         cluster: &mut Cluster,
         reach: f64,
         together: impl Fn(usize, usize, &Proximity) -> bool,
@@ -423,7 +423,7 @@ impl<const N: usize> Simulation<N> {
         }
         let impact =
             NetworkImpact { law: &physics.ball_ball, touches: &touches[..count], walls, tip };
-        let report = impact.resolve(bodies).unwrap_or_default();
+        let report = impact.resolve(bodies, &mut self.network).unwrap_or_default();
         for (k, body) in bodies.iter().enumerate() {
             let (v, spin) = (body.velocity, body.angular_velocity);
             let (state, ball) = (&cluster.before[k], &self.ball[usize::from(cluster.balls[k])]);

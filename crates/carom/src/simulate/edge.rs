@@ -1,19 +1,19 @@
 //! The edges and walls that a ball off the bed can touch, at the point of contact.
 
-use crate::Table;
 use crate::math::{Vec2, Vec3};
 use crate::resolve::ball_edge::Edge;
+use crate::table::TableGeometry;
 use crate::table::{Shape, TableFeature};
 
 /// The lip of a hole, where a ball with its centre at `position` (m) touches it.
-pub(super) fn lip_edge(table: &Table, pocket: u8, position: Vec3, radius: f64) -> Edge {
+pub(super) fn lip_edge(table: &TableGeometry, pocket: u8, position: Vec3, radius: f64) -> Edge {
     let normal = table.contact_normal(TableFeature::Lip(pocket), position, radius);
     round(normal, position, table.pockets[usize::from(pocket)].center, radius)
 }
 
 /// The edge or wall of a part of the cushions, where a ball with its centre at `position` (m)
 /// touches it.
-pub(super) fn cushion_edge(table: &Table, part: u16, position: Vec3, radius: f64) -> Edge {
+pub(super) fn cushion_edge(table: &TableGeometry, part: u16, position: Vec3, radius: f64) -> Edge {
     let normal = table.contact_normal(TableFeature::Cushion(part), position, radius);
     match table.cushions[usize::from(part)].shape {
         Shape::Segment { normal: across, .. } => straight(normal, across.perp(), radius),

@@ -22,6 +22,7 @@ mod persistent_contact;
 mod row;
 mod step;
 mod support;
+mod surroundings;
 
 use core::fmt;
 
@@ -30,6 +31,7 @@ use crate::limits::{MAX_BALLS, SMALL_CAPACITY};
 use crate::motion::Path;
 use crate::physics::StrikeModel;
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
+use crate::resolve::network::NetworkScratch;
 use crate::shot::Shot;
 use crate::table::TableFeature;
 use crate::{Ball, BallState, MotionState, Physics};
@@ -39,6 +41,7 @@ use jam::Jam;
 use persistent_contact::Push;
 use step::StepContext;
 use support::Support;
+pub use surroundings::Surroundings;
 
 /// Every capacity is a multiple of this number of balls, the number of doubles in the widest vector
 /// register.
@@ -141,6 +144,8 @@ pub struct Simulation<const N: usize> {
     partners: [BallSet; N],
     /// Whether the processor has vectors wide enough for [`row`].
     wide: bool,
+    /// Memory for impacts of many balls.
+    network: NetworkScratch,
 }
 
 /// Every ball's motion in the table plane, laid out for vector instructions. At the time t after
@@ -228,6 +233,7 @@ impl<const N: usize> Simulation<N> {
             wide: crate::math::has_wide_vectors(),
             pair: [[f64::INFINITY; N]; N],
             partners: [BallSet::EMPTY; N],
+            network: NetworkScratch::default(),
         }
     }
 
@@ -277,24 +283,49 @@ impl<const N: usize> Simulation<N> {
         end: f64,
         recorder: &mut R,
     ) -> Result<Summary, SimulationError> {
-        self.load(shot);
-        let mut step = StepContext::new(shot, recorder);
+        let balls = shot.balls.iter().map(|placed| (&placed.ball, &placed.state));
+        self.play_among(&Surroundings::of(shot), balls, strike, end, recorder)
+    }
+
+    /// As [`Self::play_until`], with the parts of a shot: its surroundings, its balls with their states
+    /// in the file's coordinates, and a strike.
+    ///
+    /// # Errors
+    /// See [`simulate`].
+    ///
+    /// # Panics
+    /// As [`Self::play_strike`].
+    pub fn play_among<'b, R: Recorder>(
+        &mut self,
+        surroundings: &Surroundings<'_>,
+        balls: impl Iterator<Item = (&'b Ball, &'b BallState)>,
+        strike: Option<(usize, Strike)>,
+        end: f64,
+        recorder: &mut R,
+    ) -> Result<Summary, SimulationError> {
+        self.load(surroundings, balls);
+        let mut step = StepContext::new(surroundings, recorder);
         if let Some((struck, strike)) = &strike {
             assert!(*struck < self.n, "there is no ball {struck} in a shot of {} balls", self.n);
             self.on_cue_strike(*struck, strike, &mut step)?;
         }
-        self.run(shot, end, &mut step)
+        self.run(surroundings, end, &mut step)
     }
 
     /// Puts the shot's balls on the table, at time 0, before the strike.
-    fn load(&mut self, shot: &Shot) {
-        let Physics { cloth, gravity, .. } = &*shot.physics;
-        self.n = shot.balls.len();
-        for (i, placed) in shot.balls.iter().enumerate() {
-            let state = shot.table.to_engine_coordinates(&placed.state);
-            self.ball[i] = placed.ball;
-            self.lanes.radius[i] = placed.ball.radius;
-            self.set_path(i, Path::new(&state, &placed.ball, cloth, *gravity), 0.0);
+    fn load<'b>(
+        &mut self,
+        surroundings: &Surroundings<'_>,
+        balls: impl Iterator<Item = (&'b Ball, &'b BallState)>,
+    ) {
+        let Physics { cloth, gravity, .. } = surroundings.physics;
+        self.n = 0;
+        for (i, (ball, state)) in balls.enumerate() {
+            let state = surroundings.table.to_engine_coordinates(state);
+            self.n = i + 1;
+            self.ball[i] = *ball;
+            self.lanes.radius[i] = ball.radius;
+            self.set_path(i, Path::new(&state, ball, cloth, *gravity), 0.0);
             self.contact[i] = f64::INFINITY;
             self.push[i] = Push::NONE;
             self.jam[i].forget();
@@ -304,15 +335,15 @@ impl<const N: usize> Simulation<N> {
         self.earliest[self.n..].fill(f64::INFINITY);
     }
 
-    /// Runs from time 0 until no event is left, to the end time of `shot`, or to `end`, s.
+    /// Runs from time 0 until no event is left, to the end time of the shot, or to `end`, s.
     fn run<R: Recorder>(
         &mut self,
-        shot: &Shot,
+        surroundings: &Surroundings<'_>,
         end: f64,
         step: &mut StepContext<'_, R>,
     ) -> Result<Summary, SimulationError> {
-        let max_events = shot.max_events;
-        let last = earlier(shot.until.unwrap_or(f64::MAX), end);
+        let max_events = surroundings.max_events;
+        let last = earlier(surroundings.until, end);
         self.find_all_candidates(step.table);
         while let Some((time, next)) = self.next(last) {
             if step.events >= max_events {

@@ -1,13 +1,15 @@
 //! The context of one step of the event loop.
 
+use super::Surroundings;
 use crate::event::{Event, EventKind, Recorder};
 use crate::physics::{BallBall, SlipFriction};
 use crate::shot::Cling;
-use crate::{BallState, Physics, Shot, Table};
+use crate::table::TableGeometry;
+use crate::{BallState, Physics};
 
 /// What event handlers share: the surroundings of the shot, its recorder, and its progress.
 pub(super) struct StepContext<'a, R> {
-    pub(super) table: &'a Table,
+    pub(super) table: &'a TableGeometry,
     pub(super) physics: &'a Physics,
     /// Time of the current event, s.
     pub(super) time: f64,
@@ -22,9 +24,9 @@ pub(super) struct StepContext<'a, R> {
 
 impl<'a, R: Recorder> StepContext<'a, R> {
     /// The context at time 0, before any event.
-    pub(super) fn new(shot: &'a Shot, recorder: &'a mut R) -> Self {
-        let cling = Some(shot.cling()).filter(|cling| !cling.is_empty());
-        let (table, physics) = (&*shot.table, &*shot.physics);
+    pub(super) fn new(surroundings: &Surroundings<'a>, recorder: &'a mut R) -> Self {
+        let Surroundings { table, physics, cling, .. } = *surroundings;
+        let cling = Some(cling).filter(|cling| !cling.is_empty());
         Self { table, physics, time: 0.0, events: 0, cling, pair_contacts: 0, recorder }
     }
 

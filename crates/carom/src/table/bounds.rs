@@ -1,12 +1,13 @@
 //! Bounding boxes around parts of the table, for a cheap rejection of parts that are far away.
 
-use alloc::vec::Vec;
+use arrayvec::ArrayVec;
 
 use super::Shape;
 use crate::math::Vec2;
 
 /// An axis-aligned rectangle, m.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub(crate) struct Bounds {
     low: Vec2,
     high: Vec2,
@@ -75,14 +76,15 @@ fn greater(a: f64, b: f64) -> f64 {
 /// The parts that reach into each quadrant of the table. A path within one quadrant can touch no
 /// others.
 #[derive(Clone, Debug, Default, PartialEq)]
+#[repr(C)]
 pub(crate) struct Quadrants {
     /// Bottom left, bottom right, top left, top right.
-    parts: [Vec<u16>; 4],
-    all: Vec<u16>,
+    parts: [ArrayVec<u16, 6>; 4],
+    all: ArrayVec<u16, 6>,
 }
 
 impl Quadrants {
-    /// The quadrants of parts, each given with its box.
+    /// The quadrants of at most six parts, each given with its box.
     pub(super) fn new(parts: impl Iterator<Item = (u16, Bounds)>) -> Self {
         let mut quadrants = Self::default();
         for (part, Bounds { low, high }) in parts {

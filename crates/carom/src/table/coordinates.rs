@@ -2,11 +2,11 @@
 //! corner of the playing area; in the engine it is the centre, so that a mirrored table has
 //! mirrored bits.
 
-use super::Table;
+use super::TableGeometry;
 use crate::BallState;
 use crate::math::{Vec2, Vec3};
 
-impl Table {
+impl TableGeometry {
     /// The engine's origin in the file's coordinates, m: the centre of the playing area, or the
     /// file's own origin on unbounded cloth.
     pub fn center(&self) -> Vec2 {
@@ -22,6 +22,21 @@ impl Table {
     /// `state`, given in the engine's coordinates, converted to the file's.
     pub fn to_file_coordinates(&self, state: &BallState) -> BallState {
         shifted(state, self.center())
+    }
+
+    /// [`Self::to_file_coordinates`] of a ball that began the shot in the state `start`, given in
+    /// the file's coordinates. A coordinate that has not changed since then gets exactly the value
+    /// of `start`; the conversion would round it.
+    pub fn to_file_coordinates_from(&self, start: &BallState, state: &BallState) -> BallState {
+        let began = self.to_engine_coordinates(start).position;
+        let mut out = self.to_file_coordinates(state);
+        if state.position.x == began.x {
+            out.position.x = start.position.x;
+        }
+        if state.position.y == began.y {
+            out.position.y = start.position.y;
+        }
+        out
     }
 }
 

@@ -1,10 +1,10 @@
 //! An index of a table's geometry: which parts a ball can touch where.
 
-use alloc::vec::Vec;
+use arrayvec::ArrayVec;
 
 use super::bounds::{Bounds, Quadrants};
 use super::opening::Openings;
-use super::{CushionPart, Part, Pocket};
+use super::{CushionPart, MAX_PARTS, MAX_POCKETS, Part, Pocket};
 use crate::math::Vec2;
 
 /// Extra length of a straight part at either end in detection, m: 1 nm, ten million roundings of a
@@ -13,8 +13,13 @@ use crate::math::Vec2;
 /// rounding.
 pub(crate) const JOIN_OVERLAP: f64 = 1e-9;
 
+/// The most parts around a mouth that a ball on the cloth can touch: on either side a nose, and a point, a
+/// sharp corner, a facing and a straight run of the liner.
+pub(crate) const MAX_IN_MOUTH: usize = 2 * 5;
+
 /// Which parts a ball can touch where, and the bounding boxes of the parts.
 #[derive(Clone, Debug, PartialEq)]
+#[repr(C)]
 pub(crate) struct DetectionIndex {
     /// Half the playing area, nose to nose, m.
     pub(crate) half: Vec2,
@@ -25,7 +30,7 @@ pub(crate) struct DetectionIndex {
     /// Indices of the noses: bottom, top; then left and right, each lower, upper.
     pub(crate) noses: [u16; 6],
     /// The mouths, in the order of the pockets.
-    pub(crate) mouths: Vec<Mouth>,
+    pub(crate) mouths: ArrayVec<Mouth, MAX_POCKETS>,
     /// While the centre of a ball is at least its reach away from the edges of the playing area,
     /// the ball can touch only noses, if its reach is at least this, m.
     pub(crate) clear_reach: f64,
@@ -35,10 +40,10 @@ pub(crate) struct DetectionIndex {
     pub(crate) on_cloth: usize,
     /// Indices of the rails' tops, in the order of `noses`.
     pub(crate) tops: [u16; 6],
-    /// The openings of the pockets; `None` without pockets.
-    pub(crate) openings: Option<Openings>,
+    /// The openings of the pockets; empty without pockets.
+    pub(crate) openings: ArrayVec<Openings, 1>,
     /// Boxes around the cushions' parts, in their order.
-    pub(crate) bounds: Vec<Bounds>,
+    pub(crate) bounds: ArrayVec<Bounds, MAX_PARTS>,
     /// The noses and the mouths by quadrant.
     pub(crate) nose_quadrants: Quadrants,
     pub(crate) mouth_quadrants: Quadrants,
@@ -46,21 +51,30 @@ pub(crate) struct DetectionIndex {
 
 /// A pocket's features, for detection.
 #[derive(Clone, Debug, PartialEq)]
+#[repr(C)]
 pub(crate) struct Mouth {
     /// Indices of the cushion parts around it, with both neighbouring noses.
-    pub(crate) parts: Vec<u16>,
+    pub(crate) parts: ArrayVec<u16, MAX_IN_MOUTH>,
     /// The line that captures balls.
     pub(crate) gate: Gate,
     /// Cosine of the angle, at the hole's centre, between the pocket's axis and the ends of the
     /// liner's round wall.
     pub(crate) liner_from: f64,
-    /// Index and box of each point, facing and liner of the pocket, which a flying ball can touch.
-    pub(crate) all: Vec<(u16, Bounds)>,
+    /// Each point, facing and liner of the pocket, which a flying ball can touch.
+    pub(crate) all: ArrayVec<BoundPart, MAX_PARTS>,
     /// The box around these parts and the hole.
     pub(crate) bounds: Bounds,
     /// Distance of the nearest edge or wall from the aisle, m. The aisle is the last part of the
     /// pocket's axis before the hole's centre, [`AISLE`] radii of the hole long.
     pub(crate) aisle: f64,
+}
+
+/// A cushion's part: its index, and its box.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub(crate) struct BoundPart {
+    pub(crate) part: u16,
+    pub(crate) bounds: Bounds,
 }
 
 /// Length of the aisle of a mouth, in radii of the hole: the hole up to its lip, and a ball's
@@ -73,6 +87,7 @@ pub(crate) const AISLE: f64 = 2.0;
 ///
 /// A centre p is beyond the line when axis·p ≥ offset + lean·reach.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub(crate) struct Gate {
     /// Its distance from the table's centre along the pocket's axis, m.
     pub(crate) offset: f64,
@@ -101,7 +116,7 @@ impl DetectionIndex {
             let nearest = (0..pockets.len())
                 .min_by(|a, b| distance(&pockets[*a]).total_cmp(&distance(&pockets[*b])));
             if let Some(k) = nearest {
-                self.mouths[k].all.push((i as u16, *bounds));
+                self.mouths[k].all.push(BoundPart { part: i as u16, bounds: *bounds });
                 self.mouths[k].bounds = self.mouths[k].bounds.with(bounds);
             }
         }

@@ -2,6 +2,7 @@
 
 /// Something that a ball can meet on a table.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
 pub enum TableFeature {
     /// Index into `Table::cushions`.
     Cushion(u16),

@@ -7,6 +7,8 @@
 use alloc::vec::Vec;
 use core::f64::consts::FRAC_1_SQRT_2;
 
+use arrayvec::ArrayVec;
+
 use super::bounds::Quadrants;
 use super::detection_index::Mouth;
 use super::jaw::{Jaw, RailFrame, hole_center, jaw, tangent_length};
@@ -14,7 +16,8 @@ use super::opening::{Back, Liner, Openings, liner};
 use super::pocket_kind::PocketKind;
 use super::{
     Bounds, Capture, CushionPart, DetectionIndex, Gate, Part, Pocket, PocketDescription,
-    PocketLayout, PocketModel, PocketName, Rail, Shape, Table, TableDescription, TableError, check,
+    PocketLayout, PocketModel, PocketName, Rail, Shape, Table, TableDescription, TableError,
+    TableGeometry, check,
 };
 use crate::math::Vec2;
 
@@ -75,29 +78,28 @@ impl Table {
     /// Unbounded cloth without rails. The engine's coordinates is the file's.
     pub fn unbounded() -> Self {
         let size = Vec2::new(f64::INFINITY, f64::INFINITY);
-        Self {
-            name: None,
-            description: None,
+        let geometry = TableGeometry {
             size,
             cushion_height: 0.0,
-            cushions: Vec::new(),
-            pockets: Vec::new(),
+            cushions: ArrayVec::new(),
+            pockets: ArrayVec::new(),
             index: DetectionIndex {
                 half: size,
                 nose_x: f64::INFINITY,
                 nose_y: [0.0, f64::INFINITY],
                 noses: [0; 6],
-                mouths: Vec::new(),
+                mouths: ArrayVec::new(),
                 clear_reach: 0.0,
                 border: size,
                 on_cloth: 0,
                 tops: [0; 6],
-                openings: None,
-                bounds: Vec::new(),
+                openings: ArrayVec::new(),
+                bounds: ArrayVec::new(),
                 nose_quadrants: Quadrants::default(),
                 mouth_quadrants: Quadrants::default(),
             },
-        }
+        };
+        Self { name: None, description: None, geometry }
     }
 
     /// The table that `description` describes.
@@ -109,25 +111,24 @@ impl Table {
     pub fn from_description(description: &TableDescription) -> Result<Self, TableError> {
         check::lengths(description)?;
         let half = Vec2::new(0.5 * description.width, 0.5 * description.length);
-        let mut table = Self {
-            name: None,
-            description: Some(description.clone()),
-            size: Vec2::new(description.width, description.length),
-            cushion_height: description.cushion_height,
-            ..Self::unbounded()
-        };
-        table.index.half = half;
+        let mut table = Self { description: Some(description.clone()), ..Self::unbounded() };
+        let geometry = &mut table.geometry;
+        geometry.size = Vec2::new(description.width, description.length);
+        geometry.cushion_height = description.cushion_height;
+        geometry.index.half = half;
         let rail = Vec2::new(description.rail_width, description.rail_width);
-        table.index.border = half + rail;
+        geometry.index.border = half + rail;
         match description.pockets {
-            PocketLayout::None => table.add_plain_rails(half),
-            PocketLayout::Six => table.add_rails_and_pockets(half, description)?,
+            PocketLayout::None => geometry.add_plain_rails(half),
+            PocketLayout::Six => geometry.add_rails_and_pockets(half, description)?,
         }
-        table.add_tops();
-        table.index.bound_parts(&table.cushions, &table.pockets);
+        geometry.add_tops();
+        geometry.index.bound_parts(&geometry.cushions, &geometry.pockets);
         Ok(table)
     }
+}
 
+impl TableGeometry {
     fn add_plain_rails(&mut self, half: Vec2) {
         let Vec2 { x, y } = half;
         let corners = [Vec2::new(-x, -y), Vec2::new(x, -y), Vec2::new(x, y), Vec2::new(-x, y)];
@@ -168,7 +169,7 @@ impl Table {
             PocketModel::DropCircle => self.add_backs(jaws, [corner, side], &mut in_mouth)?,
             PocketModel::MouthLine => [PocketBack::at(&at_bottom), PocketBack::at(&at_side)],
         };
-        self.index.openings = Some(Openings::new(
+        self.index.openings.push(Openings::new(
             jaws,
             [backs[0].of_opening(PocketKind::Corner), backs[1].of_opening(PocketKind::Side)],
         ));
@@ -363,7 +364,8 @@ impl Table {
                 throat,
             });
             let bounds = Bounds::of([mouth[0]]);
-            let (liner_from, all) = (back.liner_from, Vec::new());
+            let (liner_from, all) = (back.liner_from, ArrayVec::new());
+            let parts = parts.into_iter().collect();
             self.index.mouths.push(Mouth { parts, gate, liner_from, all, bounds, aisle: 0.0 });
         }
     }

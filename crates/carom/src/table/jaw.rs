@@ -52,6 +52,7 @@ pub(super) struct Jaw {
 
 /// Coordinates along and behind a nose line.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub(super) struct RailFrame {
     /// The pocket's middle on the nose line, m.
     pub(super) origin: Vec2,

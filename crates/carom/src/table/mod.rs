@@ -23,7 +23,9 @@ mod sights;
 mod surface;
 
 use alloc::string::String;
-use alloc::vec::Vec;
+use core::ops::{Deref, DerefMut};
+
+use arrayvec::ArrayVec;
 
 pub use description::{
     Markings, PocketDescription, PocketLayout, PocketModel, Sights, Spot, TableDescription,
@@ -37,17 +39,49 @@ pub use sheet::Source;
 
 use crate::math::{Vec2, sqrt};
 pub(crate) use bounds::Bounds;
-pub(crate) use detection_index::{AISLE, DetectionIndex, Gate, JOIN_OVERLAP};
+pub(crate) use detection_index::{AISLE, BoundPart, DetectionIndex, Gate, JOIN_OVERLAP};
 pub(crate) use surface::UNDER_EDGE;
 
-/// A table's geometry, in the engine's coordinates: origin at the centre of the playing area, x
-/// along the width, y along the length. Mirrored parts have mirrored bits.
+/// The most parts that the cushions of a table have: six rails, each with a nose and a top, and two jaws
+/// per rail. A jaw has a point, a sharp corner, a facing and two parts of the liner.
+pub const MAX_PARTS: usize = 6 * (2 + 2 * 5);
+
+/// The most pockets of a table.
+pub const MAX_POCKETS: usize = 6;
+
+/// A table: its geometry, and where that comes from.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     /// Name of the preset, if the table is an unchanged one.
     pub name: Option<String>,
     /// The description that it was made from; `None` for unbounded cloth.
     pub description: Option<TableDescription>,
+    /// Its geometry. A table can be used wherever a geometry can.
+    pub geometry: TableGeometry,
+}
+
+impl Deref for Table {
+    type Target = TableGeometry;
+
+    fn deref(&self) -> &TableGeometry {
+        &self.geometry
+    }
+}
+
+impl DerefMut for Table {
+    fn deref_mut(&mut self) -> &mut TableGeometry {
+        &mut self.geometry
+    }
+}
+
+/// A table's geometry, in the engine's coordinates: origin at the centre of the playing area, x
+/// along the width, y along the length. Mirrored parts have mirrored bits.
+///
+/// It is all that a simulation reads of a table. It has no pointers, and every compiler lays it out
+/// in the same way, so that its bytes can be copied to a device (docs/gpu.md).
+#[derive(Clone, Debug, PartialEq)]
+#[repr(C)]
+pub struct TableGeometry {
     /// Playing area, nose to nose, along x and y, m; infinite for unbounded cloth.
     pub size: Vec2,
     /// Height of the cushion nose above the slate, m.
@@ -56,10 +90,10 @@ pub struct Table {
     /// rail. The noses, facings and points come first: on each rail facing, point, nose, point,
     /// facing. With the drop-circle model the liners follow: first all straight runs, then all
     /// round walls, two of each per rail. The rails' tops are last.
-    pub cushions: Vec<CushionPart>,
+    pub cushions: ArrayVec<CushionPart, MAX_PARTS>,
     /// Pockets, in the order of their numbers in results: bottom-left, bottom-right, left, right,
     /// top-left, top-right.
-    pub pockets: Vec<Pocket>,
+    pub pockets: ArrayVec<Pocket, MAX_POCKETS>,
     pub(crate) index: DetectionIndex,
 }
 
@@ -71,7 +105,7 @@ pub fn nose_reach(cushion_height: f64, radius: f64) -> Option<f64> {
     (squared > 0.0).then(|| sqrt(squared))
 }
 
-impl Table {
+impl TableGeometry {
     /// Distance from a cushion's nose line to the centre of a touching ball, m ([`nose_reach`]). 0
     /// for a ball that the nose cannot touch; a valid shot has none.
     #[inline]
@@ -80,14 +114,14 @@ impl Table {
         sqrt((radius * radius - above * above).max(0.0))
     }
 
-    /// The parts that a ball on the cloth can touch, the first ones of [`Table::cushions`].
+    /// The parts that a ball on the cloth can touch, the first ones of `cushions`.
     pub fn parts_on_cloth(&self) -> &[CushionPart] {
         &self.cushions[..self.index.on_cloth]
     }
 
     /// Unit vector from the centre of a ball at `position` (m, engine's coordinates) into the
     /// cushion part that it touches, seen from above; zero for a rail's top.
-    /// [`Table::contact_normal`] gives the normal in space.
+    /// [`Self::contact_normal`] gives the normal in space.
     pub fn normal_at(&self, part: usize, position: Vec2) -> Vec2 {
         match self.cushions[part].shape {
             Shape::Segment { normal, .. } => -normal,
@@ -106,6 +140,7 @@ impl Table {
 
 /// A rail, or a half of a long rail that has a side pocket.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u8)]
 pub enum Rail {
     /// y = 0.
     Bottom,
@@ -167,6 +202,7 @@ impl Rail {
 
 /// Part of a cushion.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(u8)]
 pub enum Part {
     /// The straight nose.
     Nose,
@@ -197,6 +233,7 @@ impl Part {
 /// The edge line of a cushion's part, which lies at the height of the nose, or the outline of a
 /// rail's top, seen from above.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub enum Shape {
     /// A straight piece.
     Segment {
@@ -287,6 +324,7 @@ pub(crate) fn arc_sides(start: Vec2, end: Vec2) -> [Vec2; 2] {
 
 /// One piece of a cushion.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct CushionPart {
     /// The rail it belongs to.
     pub rail: Rail,
@@ -340,6 +378,7 @@ impl PocketName {
 
 /// The condition for a ball to be pocketed.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub enum Capture {
     /// The centre comes over the hole.
     DropCircle,
@@ -355,6 +394,7 @@ pub enum Capture {
 
 /// A pocket.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub struct Pocket {
     /// Its name.
     pub name: PocketName,

@@ -87,11 +87,14 @@ pub(super) fn liner(
 
 /// The openings of the quadrant x ≤ 0, y ≤ 0; the others are its mirror images.
 #[derive(Clone, Debug, PartialEq)]
+#[repr(C)]
 pub(crate) struct Openings {
-    /// Of the corner pocket, between the jaws of the short and the long rail.
-    corner: ([JawLine; 2], Back),
-    /// Of the side pocket, whose other jaw is the mirror image.
-    side: ([JawLine; 1], Back),
+    /// Of the corner pocket: the jaws of the short and the long rail.
+    corner: [JawLine; 2],
+    corner_back: Back,
+    /// Of the side pocket: its other jaw is the mirror image.
+    side: [JawLine; 1],
+    side_back: Back,
 }
 
 impl Openings {
@@ -100,8 +103,10 @@ impl Openings {
         [corner_back, side_back]: [Back; 2],
     ) -> Self {
         Self {
-            corner: ([JawLine::new(bottom), JawLine::new(left)], corner_back),
-            side: ([JawLine::new(side)], side_back),
+            corner: [JawLine::new(bottom), JawLine::new(left)],
+            corner_back,
+            side: [JawLine::new(side)],
+            side_back,
         }
     }
 
@@ -111,14 +116,15 @@ impl Openings {
         let within = |jaws: &[JawLine], back: &Back| {
             jaws.iter().all(|jaw| jaw.is_behind(p)) && back.is_behind(p)
         };
-        let behind_long_rail = self.side.0[0].depth(p) > 0.0;
-        let ((corner, corner_back), (side, side_back)) = (&self.corner, &self.side);
+        let Self { corner, corner_back, side, side_back } = self;
+        let behind_long_rail = side[0].depth(p) > 0.0;
         [within(corner, corner_back), behind_long_rail && within(side, side_back)]
     }
 }
 
 /// The back of an opening.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
 pub(super) struct Back {
     /// Unit vector along the pocket's axis, away from the table.
     pub(super) axis: Vec2,
@@ -141,6 +147,7 @@ impl Back {
 
 /// The edge line of a jaw; its facing continues without end.
 #[derive(Clone, Debug, PartialEq)]
+#[repr(C)]
 struct JawLine {
     rail: RailFrame,
     /// Where the nose begins along the rail, m.

@@ -7,7 +7,7 @@
 //! * A liner's round wall is the cylinder through the hole's edge, up to the height of the nose.
 //! * Behind these edges the top of the rails is flat, out to the border.
 
-use super::{Capture, Shape, Table, TableFeature, arc_sides};
+use super::{Capture, Shape, TableFeature, TableGeometry, arc_sides};
 use crate::math::{Vec2, Vec3};
 
 /// A ball whose centre is lower than an edge by its radius and this margin, m, touches the body
@@ -15,7 +15,7 @@ use crate::math::{Vec2, Vec3};
 /// detection and normals agree on which of the two is touched.
 pub(crate) const UNDER_EDGE: f64 = 1e-12;
 
-impl Table {
+impl TableGeometry {
     /// The pocket over whose hole the point `p` (m, engine's coordinates) lies; `None` with the
     /// mouth-line model.
     pub fn hole_at(&self, p: Vec2) -> Option<u8> {
@@ -33,7 +33,7 @@ impl Table {
     /// The pocket in whose opening the point `p` (m, engine's coordinates) lies: behind the nose
     /// lines, between the jaws and in front of the liner.
     pub fn opening_at(&self, p: Vec2) -> Option<u8> {
-        let openings = self.index.openings.as_ref()?;
+        let openings = self.index.openings.first()?;
         if !self.is_behind_nose_line(p) {
             return None;
         }
@@ -61,7 +61,7 @@ impl Table {
         here.filter(beyond)
     }
 
-    /// The rail's top (index into `Table::cushions`) under the point `p` (m, engine's coordinates):
+    /// The rail's top (index into `cushions`) under the point `p` (m, engine's coordinates):
     /// behind an edge line, not in a pocket's opening, within the border.
     pub fn top_at(&self, p: Vec2) -> Option<u16> {
         let on_top =

@@ -24,8 +24,7 @@ use crate::outcome::Outcome;
 use crate::shot::Shot;
 pub use crate::trace_event::{TraceEvent, TraceEventKind};
 
-/// The name and version that this engine writes into its traces.
-pub const ENGINE: &str = concat!("carom ", env!("CARGO_PKG_VERSION"));
+pub use crate::version::ENGINE;
 
 /// What ended a recorded shot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]

@@ -5,7 +5,9 @@ use crate::near::assert_near;
 use carom::math::{Vec3, cos, pow, sin, sqrt};
 use carom::physics::{BallBall, BallBallModel, Physics, SlipFriction};
 use carom::resolve::Body;
-use carom::resolve::network::{NetworkImpact, Stepping, TipTouch, Touch, WallTouch, resolve};
+use carom::resolve::network::{
+    NetworkImpact, NetworkScratch, Stepping, TipTouch, Touch, WallTouch, resolve,
+};
 use carom::resolve::{ball_ball, network};
 
 /// Largest difference from the limit of small steps, as a fraction of the speed.
@@ -402,7 +404,9 @@ fn a_strike_beside_an_idle_ball_gives_what_the_same_strike_alone_gives() {
     let impact = NetworkImpact { law: &law, touches: &[], walls: &[slate], tip: Some(tip) };
     let mut alone = [still()];
     let mut beside = [still(), still()];
-    let (first, second) = (impact.resolve(&mut alone), impact.resolve(&mut beside));
+    let mut scratch = NetworkScratch::default();
+    let first = impact.resolve(&mut alone, &mut scratch);
+    let second = impact.resolve(&mut beside, &mut scratch);
     let near = |a: Vec3, b: Vec3| (a - b).length() < 1e-11 * a.length();
     assert!(near(alone[0].velocity, beside[0].velocity));
     assert!(near(alone[0].angular_velocity, beside[0].angular_velocity));

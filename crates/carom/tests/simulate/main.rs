@@ -2,6 +2,7 @@
 #![cfg(feature = "json")]
 
 mod cling;
+mod device;
 mod end_time;
 mod goldens;
 mod hard_cases;

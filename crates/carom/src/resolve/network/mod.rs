@@ -48,13 +48,15 @@ mod step;
 mod strike;
 mod system;
 
+use core::fmt;
+
 use crate::math::{Vec3, pow, sqrt};
 use crate::physics::BallBall;
 use crate::resolve::{Body, SPIN_PER_IMPULSE};
 use ball::Ball;
 use link::{Block, LANES, Link};
 use strike::Cue;
-use system::{Network, Places};
+use system::Network;
 
 pub use strike::TipTouch;
 
@@ -193,6 +195,31 @@ pub struct TipReport {
     pub cue_speed: f64,
 }
 
+/// Memory for the bodies and contacts of an impact while it is computed. It is too large for the stack
+/// of a device's thread.
+#[derive(Clone)]
+pub struct NetworkScratch {
+    balls: [Ball; BALL_SLOTS],
+    links: [Link; MAX_CONTACTS],
+    blocks: [Block; MAX_CONTACTS / LANES],
+}
+
+impl Default for NetworkScratch {
+    fn default() -> Self {
+        Self {
+            balls: [Ball::default(); BALL_SLOTS],
+            links: [Link::default(); MAX_CONTACTS],
+            blocks: [Block::NONE; MAX_CONTACTS / LANES],
+        }
+    }
+}
+
+impl fmt::Debug for NetworkScratch {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("NetworkScratch").finish_non_exhaustive()
+    }
+}
+
 /// One impact of everything that touches.
 #[derive(Clone, Copy, Debug)]
 pub struct NetworkImpact<'a> {
@@ -211,7 +238,8 @@ pub struct NetworkImpact<'a> {
 ///
 /// There are at most [`MAX_BODIES`] `bodies`.
 pub fn resolve(law: &BallBall, bodies: &mut [Body], touches: &[Touch]) -> bool {
-    NetworkImpact { law, touches, walls: &[], tip: None }.resolve(bodies).is_some()
+    let impact = NetworkImpact { law, touches, walls: &[], tip: None };
+    impact.resolve(bodies, &mut NetworkScratch::default()).is_some()
 }
 
 impl NetworkImpact<'_> {
@@ -219,18 +247,27 @@ impl NetworkImpact<'_> {
     /// that the impact does not reach keep their exact bits.
     ///
     /// There are at most [`MAX_BODIES`] `bodies`.
-    pub fn resolve(&self, bodies: &mut [Body]) -> Option<TipReport> {
+    pub fn resolve(&self, bodies: &mut [Body], scratch: &mut NetworkScratch) -> Option<TipReport> {
         let contacts = self.touches.len() + self.walls.len();
         let stepping = match self.tip {
             Some(tip) => Stepping::of_strike(&tip, self.touches, self.walls),
             None => Stepping::of(contacts),
         };
-        self.resolve_in_steps(bodies, &stepping)
+        self.resolve_in(bodies, &stepping, scratch)
     }
 
     /// [`resolve`](Self::resolve) with other steps than the engine's, for studies of their accuracy.
-    #[inline]
     pub fn resolve_in_steps(&self, bodies: &mut [Body], stepping: &Stepping) -> Option<TipReport> {
+        self.resolve_in(bodies, stepping, &mut NetworkScratch::default())
+    }
+
+    #[inline]
+    fn resolve_in(
+        &self,
+        bodies: &mut [Body],
+        stepping: &Stepping,
+        scratch: &mut NetworkScratch,
+    ) -> Option<TipReport> {
         let touches = &self.touches[..self.touches.len().min(MAX_CONTACTS)];
         let walls = &self.walls[..self.walls.len().min(MAX_CONTACTS - touches.len())];
         let impact = NetworkImpact { touches, walls, ..*self };
@@ -239,11 +276,7 @@ impl NetworkImpact<'_> {
             return Some(alone::resolve(&tip, wall, body, &units, stepping));
         }
         let mut cue = self.tip.map(|tip| Cue::new(&tip, bodies, &units));
-        let mut balls = [Ball::default(); BALL_SLOTS];
-        let mut links = [Link::default(); MAX_CONTACTS];
-        let mut blocks = [Block::NONE; MAX_CONTACTS / LANES];
-        let places = Places { balls: &mut balls, links: &mut links, blocks: &mut blocks };
-        let mut network = Network::new(&impact, bodies, &units, places, cue.as_mut());
+        let mut network = Network::new(&impact, bodies, &units, scratch, cue.as_mut());
         network.integrate(self.law, &units, stepping);
         let share = network.apply(&impact, &units, bodies);
         network.part(&units, bodies);

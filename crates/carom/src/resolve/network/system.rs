@@ -7,7 +7,7 @@ use super::spring::SpringState;
 use super::step::{Bits, TimeStep};
 use super::strike::Cue;
 use super::{
-    BALL_SLOTS, MAX_CONTACTS, MOST_CONTACTS, NetworkImpact, STILL, Stepping, Units, WALL, larger,
+    BALL_SLOTS, MOST_CONTACTS, NetworkImpact, NetworkScratch, STILL, Stepping, Units, WALL, larger,
     round_to_grid, smaller,
 };
 use crate::math::Vec3;
@@ -31,13 +31,6 @@ const PARTING_PASSES: usize = 400;
 /// The bits of one block in a set of contacts.
 const LANE_BITS: u64 = (1 << LANES) - 1;
 
-/// The places of the bodies and contacts: local variables of the caller, so that nothing copies them.
-pub(super) struct Places<'a> {
-    pub(super) balls: &'a mut [Ball; BALL_SLOTS],
-    pub(super) links: &'a mut [Link; MAX_CONTACTS],
-    pub(super) blocks: &'a mut [Block; MAX_CONTACTS / LANES],
-}
-
 /// All bodies and contacts during the impact.
 pub(super) struct Network<'a> {
     balls: &'a mut [Ball; BALL_SLOTS],
@@ -52,28 +45,31 @@ pub(super) struct Network<'a> {
 }
 
 impl<'a> Network<'a> {
-    /// The bodies and contacts of `impact` before it, in the given places.
+    /// The bodies and contacts of `impact` before it, in `scratch`.
     pub(super) fn new(
         impact: &NetworkImpact<'_>,
         bodies: &[Body],
         units: &Units,
-        Places { balls, links, blocks }: Places<'a>,
+        scratch: &'a mut NetworkScratch,
         cue: Option<&'a mut Cue>,
     ) -> Self {
         let NetworkImpact { law, touches, walls, .. } = *impact;
+        let NetworkScratch { balls, links, blocks } = scratch;
         let mut velocities = [[0.0; BALL_SLOTS]; 3];
+        let count = touches.len() + walls.len();
+        balls.fill(Ball::default());
+        let (links, blocks) = (&mut links[..count], &mut blocks[..count.div_ceil(LANES)]);
+        blocks.fill(Block::NONE);
         for (k, (ball, body)) in balls.iter_mut().zip(bodies).enumerate() {
             ball.begin(body, units);
             set(&mut velocities, k, ball.velocity);
         }
-        let count = touches.len() + walls.len();
         for (k, touch) in touches.iter().enumerate() {
             links[k] = blocks[k / LANES].join(k % LANES, touch, law, bodies, units);
         }
         for (k, wall) in (touches.len()..).zip(walls) {
             links[k] = blocks[k / LANES].join_wall(k % LANES, wall, bodies, units);
         }
-        let (links, blocks) = (&mut links[..count], &mut blocks[..count.div_ceil(LANES)]);
         blocks.iter_mut().for_each(Block::set_tangents);
         for (k, link) in links.iter().enumerate() {
             balls[link.a].links |= 1 << k;
