@@ -145,7 +145,7 @@ fn detects_an_edge_of_the_engine_that_is_out_of_place() {
         Shape::Arc { center, .. } | Shape::Hollow { center, .. } => center.y += 1e-11,
         Shape::Plane { .. } => {}
     };
-    let parts = Table::preset("wpa-9ft").expect("a preset").cushions;
+    let parts = Table::preset("wpa-9ft").expect("a preset").geometry.cushions;
     for (k, part) in parts.iter().enumerate().filter(|(_, part)| part.part != Part::Top) {
         let mut table = Table::preset("wpa-9ft").expect("a preset");
         moved(&mut table.cushions[k].shape);
