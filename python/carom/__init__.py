@@ -24,6 +24,7 @@ from carom.call import Call
 from carom.candidates import Candidates
 from carom.carom_route import CaromRoute, DiamondReading
 from carom.cloth import rolling_bands
+from carom.drills import Drill, DrillStep, DrillVerdict, Puzzle, puzzle, puzzles
 from carom.errors import (
     AngleWarning,
     CaromError,
@@ -32,6 +33,7 @@ from carom.errors import (
     InputError,
     PageError,
 )
+from carom.installed import build_info
 from carom.noise import Noise, NoisyResult, Perception
 from carom.plan import (
     Acceptance,
@@ -69,6 +71,7 @@ from carom.racks import break_presets, break_shot
 from carom.reference import game_facts, physics, rule_sets, schema, tables
 from carom.rules import Frame, LegalAnswers, Ruling
 from carom.shot import Shot
+from carom.study import Chapter, Study
 from carom.trace import Snapshot, Trace
 from carom.tracks import (
     BallTracks,
@@ -100,11 +103,15 @@ __all__ = [
     "CaromError",
     "CaromRoute",
     "Chance",
+    "Chapter",
     "CueCommand",
     "CuePose",
     "CushionTable",
     "Decision",
     "DiamondReading",
+    "Drill",
+    "DrillStep",
+    "DrillVerdict",
     "EndlessMotionError",
     "Evaluation",
     "EventCapError",
@@ -126,6 +133,7 @@ __all__ = [
     "PositionMap",
     "PotMap",
     "PotPlay",
+    "Puzzle",
     "Recommendation",
     "Repaired",
     "RobotFrame",
@@ -136,6 +144,7 @@ __all__ = [
     "Snapshot",
     "Solution",
     "Strike",
+    "Study",
     "Successor",
     "Sweep",
     "Table",
@@ -147,6 +156,7 @@ __all__ = [
     "break_presets",
     "break_shot",
     "break_statistics",
+    "build_info",
     "evaluate",
     "game_facts",
     "kick_table",
@@ -156,6 +166,8 @@ __all__ = [
     "position_map",
     "pot_map",
     "pots",
+    "puzzle",
+    "puzzles",
     "replay_match",
     "rolling_bands",
     "rule_sets",

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Sequence
 from os import PathLike
-from typing import Any, Literal, NoReturn, final
+from typing import Any, Literal, NoReturn, Self, final
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,23 +13,28 @@ from carom.plan.options import Goal, Sampling, Search
 from carom.player.thinking import Thinking
 
 __all__ = [
+    "MOST_EVENTS",
     "MOST_SAMPLES",
     "TIP",
     "BallTracks",
     "Candidates",
+    "CudaDevice",
     "Frame",
     "OpenMatch",
     "Player",
     "Shot",
+    "Study",
     "Trace",
     "VectorEnv",
     "__version__",
     "acceptance",
+    "accepted_puzzles",
     "adjusted_share",
     "bank_table",
     "break_presets",
     "break_shot",
     "break_statistics",
+    "build",
     "check_keys",
     "check_noise",
     "check_part",
@@ -44,7 +49,10 @@ __all__ = [
     "evaluate",
     "foul_words",
     "game_facts",
+    "judge",
+    "judge_shot",
     "kick_table",
+    "make_puzzle",
     "meanings",
     "noise_moments",
     "noise_presets",
@@ -62,9 +70,12 @@ __all__ = [
     "position_map",
     "pot_map",
     "pots",
+    "puzzle_themes",
     "quantiles",
+    "read_drill",
     "read_json",
     "read_number",
+    "read_puzzle",
     "read_whole",
     "repaired",
     "replay_match",
@@ -95,6 +106,7 @@ __all__ = [
 
 __version__: str
 TIP: float
+MOST_EVENTS: int
 MOST_SAMPLES: int
 
 # Speed, azimuth, elevation, side, height; an elevation of None is the default one.
@@ -215,6 +227,17 @@ class Shot:
     def __len__(self) -> int: ...
 
 @final
+class Study:
+    @staticmethod
+    def from_json(text: str, file: str | None) -> Study: ...
+    @staticmethod
+    def from_object(value: object) -> Study: ...
+    def to_object(self) -> dict[str, Any]: ...
+    def to_json(self) -> str: ...
+    def shots(self) -> list[tuple[Shot, Shot | None]]: ...
+    def check(self) -> list[dict[str, Any]]: ...
+
+@final
 class Trace:
     @staticmethod
     def from_json(text: str, file: str | None) -> Trace: ...
@@ -251,9 +274,21 @@ def simulate_to_cap(shot: Shot) -> Trace: ...
 
 _Arrays = tuple[NDArray[np.float64], NDArray[np.int8], NDArray[np.int32], dict[int, str]]
 
-def simulate_batch(shots: list[Shot], threads: int) -> _Arrays: ...
+@final
+class CudaDevice:
+    def __new__(cls, ordinal: int, ptx: bytes) -> Self: ...
+    @property
+    def name(self) -> str: ...
+    @property
+    def occupancy(self) -> tuple[int, int, int, int]: ...
+
+def simulate_batch(shots: list[Shot], threads: int, device: CudaDevice | None) -> _Arrays: ...
 def simulate_strikes(
-    shot: Shot, strikes: NDArray[np.float64], own_elevation: bool, threads: int
+    shot: Shot,
+    strikes: NDArray[np.float64],
+    own_elevation: bool,
+    threads: int,
+    device: CudaDevice | None,
 ) -> _Arrays: ...
 def simulate_variants(
     shot: Shot,
@@ -262,6 +297,7 @@ def simulate_variants(
     perception: Perception,
     draw: tuple[int, int],
     threads: int,
+    device: CudaDevice | None,
 ) -> _Arrays: ...
 def start_states(
     shot: Shot,
@@ -304,10 +340,13 @@ def evaluate(
     referee: tuple[Frame, tuple[str, str | None, str | None]] | None,
     tables: Sequence[Shot],
     threads: int,
+    device: CudaDevice | None,
     report: _Report,
 ) -> dict[str, Any]: ...
 def plain(value: object) -> Any: ...
-def play_rows(rows: object, balls: int, outcomes: bool) -> dict[str, Any]: ...
+def play_rows(
+    rows: object, balls: int, outcomes: bool, device: CudaDevice | None
+) -> dict[str, Any]: ...
 def row_shot(rows: object) -> Shot: ...
 def points(
     sequence: str, seed: int, index: NDArray[np.int64], dimensions: int
@@ -407,9 +446,11 @@ def game_facts() -> list[dict[str, Any]]: ...
 def rolling_bands(
     law: tuple[float, float], tolerance: tuple[float, float, float], gravity: float
 ) -> Any: ...
+def build() -> dict[str, Any]: ...
 def physics() -> list[dict[str, Any]]: ...
 def tables() -> list[dict[str, Any]]: ...
 def error_kinds() -> list[tuple[str, str, list[str]]]: ...
+def judge(trace: Trace, goal: object) -> dict[str, Any]: ...
 def schema(kind: str) -> str: ...
 
 @final
@@ -557,6 +598,12 @@ def read_number(value: object, place: str) -> float: ...
 def read_whole(value: object, place: str, low: int, high: int) -> int: ...
 def wrong_type(value: object, place: str, wanted: str) -> NoReturn: ...
 def unknown_word(word: str, place: str, kind: str, known: Sequence[str]) -> NoReturn: ...
+def make_puzzle(theme: str, number: int) -> dict[str, Any] | str: ...
+def read_puzzle(name: str) -> dict[str, Any]: ...
+def accepted_puzzles() -> list[tuple[str, int, int]]: ...
+def puzzle_themes() -> list[str]: ...
+def read_drill(text: str, file: str | None) -> dict[str, Any]: ...
+def judge_shot(shot: Shot, goal: object, left: Sequence[str]) -> dict[str, Any]: ...
 def tasks() -> list[str]: ...
 def foul_words() -> list[str]: ...
 def meanings() -> tuple[list[str], list[str], list[str]]: ...

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 from carom import _core
 from carom.arguments import angles, array, check_results, core, thread_count, warn_of_degrees
+from carom.device import opened
 from carom.errors import InputError
 from carom.lazy import np
 from carom.progress import progress_bar
@@ -59,13 +60,18 @@ Arrays = tuple["NDArray[np.float64]", "NDArray[np.int8]", "NDArray[np.int32]", d
 
 
 def simulate_batch(
-    shots: Iterable[carom.Shot], *, threads: int | None = None, progress: bool = False
+    shots: Iterable[carom.Shot],
+    *,
+    threads: int | None = None,
+    device: str = "cpu",
+    progress: bool = False,
 ) -> BatchResult:
     """Simulate many shots on all cores, without traces.
 
     Args:
         shots: The shots; they may have different tables, physics and balls.
         threads: Number of threads; None is one per core. The result does not depend on it.
+        device: ``"cpu"``, ``"cuda"`` or ``"cuda:1"``; see ``carom.device``.
         progress: Show a progress bar on stderr.
 
     Returns:
@@ -73,8 +79,8 @@ def simulate_batch(
 
     Raises:
         InputError: ``shots`` is not a list, an item is not a ``carom.Shot``, ``threads`` is out of
-            range, or there are too many shots for one call. A shot that reaches its cap of events
-            does not raise: it is in ``errors`` of the result.
+            range, ``device`` cannot be used, or there are too many shots for one call. A shot that
+            reaches its cap of events does not raise: it is in ``errors`` of the result.
     """
     # An empty string or dict would otherwise pass as an empty list.
     if isinstance(shots, str | bytes | bytearray | Mapping) or not isinstance(shots, Iterable):
@@ -86,9 +92,10 @@ def simulate_batch(
         for index, shot in enumerate(shots)
     ]
     balls = max(map(len, cores), default=0)
+    card = opened(device)
 
     def run(start: int, end: int) -> Arrays:
-        return _core.simulate_batch(cores[start:end], thread_count(threads))
+        return _core.simulate_batch(cores[start:end], thread_count(threads), card)
 
     return in_chunks(run, len(cores), balls, progress=progress)
 
@@ -104,6 +111,7 @@ def batch(
     azimuth_deg: ArrayLike | None = None,
     elevation_deg: ArrayLike | None = None,
     threads: int | None = None,
+    device: str = "cpu",
     progress: bool = False,
 ) -> BatchResult:
     """Simulate many variants of a shot's strike, on all cores, without traces.
@@ -122,12 +130,13 @@ def batch(
         azimuth_deg: The azimuth in degrees, in place of ``azimuth``.
         elevation_deg: The elevation in degrees, in place of ``elevation``.
         threads: Number of threads; None is one per core. The result does not depend on it.
+        device: ``"cpu"``, ``"cuda"`` or ``"cuda:1"``; see ``carom.device``.
         progress: Show a progress bar on stderr.
 
     Raises:
-        InputError: The shot has no strike, the shapes do not broadcast, or there are too many
-            strikes for one call. A strike out of range does not raise: it is in ``errors`` of the
-            result.
+        InputError: The shot has no strike, the shapes do not broadcast, ``device`` cannot be used,
+            or there are too many strikes for one call. A strike out of range does not raise: it is
+            in ``errors`` of the result.
     """
     inner = core("shot", shot, _core.Shot, "carom.Shot.from_dict(...)")
     azimuth = angles("azimuth", azimuth, azimuth_deg)
@@ -154,9 +163,11 @@ def batch(
     strikes = np.ascontiguousarray(np.stack([column.ravel() for column in full], axis=1))
 
     own = elevation is None and inner.has_default_elevation
+    card = opened(device)
 
     def run(start: int, end: int) -> Arrays:
-        return _core.simulate_strikes(inner, strikes[start:end], own, thread_count(threads))
+        rows = strikes[start:end]
+        return _core.simulate_strikes(inner, rows, own, thread_count(threads), card)
 
     return in_chunks(run, len(strikes), len(inner), progress=progress)
 

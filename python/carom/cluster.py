@@ -4,12 +4,17 @@ from __future__ import annotations
 
 import logging
 import socket
+import time
 import warnings
 from importlib import import_module
 from typing import Any
 
 from carom import __version__
 from carom.errors import InputError
+
+#: How often a cluster is looked at whose machines come and go, and the time between, s.
+_LOOKS = 10
+_PAUSE = 0.5
 
 
 def start(address: bool | str, threads: int, module: str) -> bool:
@@ -82,9 +87,24 @@ def check_machines(module: str) -> None:
 
     at = import_module("ray.util.scheduling_strategies").NodeAffinitySchedulingStrategy
     asked = library.remote(num_cpus=0)(look)
-    nodes = [n for n in library.nodes() if n["Alive"] and n["Resources"].get("CPU", 0) > 0]
-    answers = [asked.options(scheduling_strategy=at(n["NodeID"], soft=False)) for n in nodes]
-    for wrong in library.get([answer.remote() for answer in answers]):
+    unschedulable = import_module("ray.exceptions").TaskUnschedulableError
+
+    def ask_all() -> list[str | None]:
+        nodes = [n for n in library.nodes() if n["Alive"] and n["Resources"].get("CPU", 0) > 0]
+        there = [asked.options(scheduling_strategy=at(n["NodeID"], soft=False)) for n in nodes]
+        answers: list[str | None] = library.get([one.remote() for one in there])
+        return answers
+
+    for left in reversed(range(_LOOKS)):
+        try:
+            answers = ask_all()
+            break
+        except unschedulable:
+            # A machine has left the cluster since the list was made, or is not ready yet.
+            if left == 0:
+                raise
+            time.sleep(_PAUSE)
+    for wrong in answers:
         if wrong:
             remedy = f"every machine needs carom[ray] {wanted}, or a runtime environment with it"
             raise InputError("mismatch", "", wrong, remedy)

@@ -22,6 +22,7 @@ from carom.arguments import (
 from carom.batch import Arrays, BatchResult, in_chunks, own_strike
 from carom.build import Strike, like
 from carom.deprecated import renamed_fields
+from carom.device import opened
 from carom.errors import InputError
 from carom.lazy import np
 
@@ -398,6 +399,7 @@ def vary(
     perception: Perception | None = None,
     first: int = 0,
     threads: int | None = None,
+    device: str = "cpu",
     progress: bool = False,
 ) -> NoisyResult:
     """Simulate ``n`` executions of the shot's strike, each with other errors of the player.
@@ -418,6 +420,7 @@ def vary(
         perception: Errors of the perceived positions, as in ``Shot.evaluate``.
         first: Index of the first variant, so that long runs can be continued.
         threads: Number of threads; None is one per core.
+        device: ``"cpu"``, ``"cuda"`` or ``"cuda:1"``; see ``carom.device``.
         progress: Show a progress bar on stderr.
 
     Returns:
@@ -426,8 +429,8 @@ def vary(
         too large for the tip's efficiency; the cap on events.
 
     Raises:
-        InputError: The shot has no strike, a number is out of range, or there are too many
-            variants for one call.
+        InputError: The shot has no strike, a number is out of range, ``device`` cannot be used, or
+            there are too many variants for one call.
     """
     inner = core("shot", shot, _core.Shot, "carom.Shot.from_dict(...)")
     noise, perception = noise_or_default(noise), perception_or_none(perception)
@@ -436,12 +439,15 @@ def vary(
     own_strike(inner)
     check_results("n", n, len(inner))
     strikes = np.empty((5, n))
+    card = opened(device)
 
     def run(start: int, end: int) -> Arrays:
         rows = _core.draw_strikes(inner, noise, end - start, seed, first + start)
         strikes[:, start:end] = rows.T
         draw = (seed, first + start)
-        return _core.simulate_variants(inner, rows, noise, perception, draw, thread_count(threads))
+        return _core.simulate_variants(
+            inner, rows, noise, perception, draw, thread_count(threads), card
+        )
 
     ends = in_chunks(run, n, len(inner), progress=progress)
     return NoisyResult(ends.final_position, ends.pocket, ends.events, ends.errors, *strikes)

@@ -15,9 +15,11 @@ import hashlib
 import json
 import sys
 from collections.abc import Callable
+from html import escape
 from typing import Any
 
 from carom import page
+from carom.errors import InputError
 
 # Resolutions of the picture, from the best one, dots per inch, and the largest picture, bytes. With
 # its shot or trace a cell then has less than 300 kB.
@@ -70,9 +72,17 @@ _carrier: tuple[object, object] | None = None
 
 
 def image(found: Any) -> str:
-    """The picture of a shot, a trace or a frame as an element that needs no script."""
+    """The picture of a shot, a trace or a frame as an element that needs no script.
+
+    Without the extra ``picture`` it is the sentence that names it.
+    """
     for dots in _DOTS_PER_INCH:
-        drawn = _drawn["png"](found, dots)
+        try:
+            drawn = _drawn["png"](found, dots)
+        except InputError as error:
+            if error.kind != "unsupported":
+                raise
+            return f"<p>{escape(str(error))}</p>"
         if len(drawn) <= _LARGEST_PICTURE:
             break
     data = base64.b64encode(drawn).decode()

@@ -1,4 +1,4 @@
-"""The page: one HTML file with the engine, the viewer, and a shot or a trace.
+"""The page: one HTML file with the engine, the viewer, and a shot, a trace or a study.
 
 ``make page`` builds it from ``web/`` into ``carom/web/index.html``. It needs no server and no
 network, because everything that it shows is inside the file.
@@ -28,10 +28,10 @@ MOST_HEIGHT = 10**6
 
 
 class Document(Protocol):
-    """What the page can show: a shot or a trace."""
+    """What the page can show: a shot, a trace or a study."""
 
     def to_dict(self) -> dict[str, Any]:
-        """The ``carom-shot/1`` or ``carom-trace/1``."""
+        """The ``carom-shot/1``, ``carom-trace/1`` or ``carom-study/1``."""
         ...
 
 
@@ -52,20 +52,24 @@ def is_built() -> bool:
 
 
 def html(document: Document | None = None, *, title: str | None = None) -> str:
-    """The complete page with a shot or a trace; it works from disk, without a network.
+    """The complete page with a shot, a trace or a study; it works from disk, without a network.
 
     Args:
-        document: The shot to aim, or the trace to replay; None shows the page's own first shot.
+        document: The shot to aim, the trace to replay or the study to read; None shows the page's
+            own first shot.
         title: Title of the browser's window.
 
     Raises:
-        InputError: ``document`` is neither a shot nor a trace, or ``title`` not a string.
+        InputError: ``document`` is no shot, trace or study, or ``title`` not a string.
         PageError: The page is not built into this installation.
     """
     if document is not None and not hasattr(document, "to_dict"):
         found = type(document).__name__
         raise InputError(
-            "wrong-type", "document", f"found a {found}", "give a carom.Shot or a carom.Trace"
+            "wrong-type",
+            "document",
+            f"found a {found}",
+            "give a carom.Shot, carom.Trace or carom.Study",
         )
     if title is not None:
         checked_text("title", title)
@@ -90,15 +94,18 @@ def html(document: Document | None = None, *, title: str | None = None) -> str:
 
 
 def json_of(document: Document) -> str:
-    """A shot or a trace as JSON that may stand in a script element.
+    """A shot, a trace or a study as JSON that may stand in a script element.
 
     Raises:
-        InputError: It is neither.
+        InputError: It is none of them.
     """
     if not hasattr(document, "to_dict"):
         found = type(document).__name__
         raise InputError(
-            "wrong-type", "document", f"found a {found}", "give a carom.Shot or a carom.Trace"
+            "wrong-type",
+            "document",
+            f"found a {found}",
+            "give a carom.Shot, carom.Trace or carom.Study",
         )
     # In JSON, < occurs only within strings. Escaped, no string can end the script element.
     return json.dumps(document.to_dict(), separators=(",", ":")).replace("<", "\\u003c")
@@ -119,11 +126,11 @@ def iframe(document: Document, *, height: int = HEIGHT) -> str:
     It runs in a sandbox, so that it can neither read nor change the page around it.
 
     Args:
-        document: The shot to aim, or the trace to replay.
+        document: The shot to aim, the trace to replay or the study to read.
         height: Height of the element, CSS pixels.
 
     Raises:
-        InputError: ``document`` is neither a shot nor a trace, or the height is out of range.
+        InputError: ``document`` is no shot, trace or study, or the height is out of range.
         PageError: The page is not built into this installation.
     """
     height = checked_height(height)

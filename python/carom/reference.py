@@ -76,30 +76,35 @@ def physics() -> list[dict[str, Any]]:
 
 
 def schema(
-    kind: Literal["shot", "trace", "play", "sweep", "tournament", "arena", "tracks"] = "shot",
+    kind: Literal[
+        "shot", "trace", "play", "sweep", "tournament", "arena", "tracks", "study", "drill"
+    ] = "shot",
 ) -> dict[str, Any]:
     """The JSON Schema of a shot file, a trace, a play, or another kind of file.
 
-    ``sweep`` is that of a sweep's spec, ``tournament`` that of a tournament's file, and ``tracks``
-    that of the header of tracks. ``arena`` is that of the messages between a referee and a program,
-    ``carom-arena/1``: its ``$defs`` have one for each message.
+    ``sweep`` is that of a sweep's spec, ``tournament`` that of a tournament's file, ``tracks`` that
+    of the header of tracks, and ``study`` that of a study, which refers to those of a shot file and
+    a drill; ``drill`` is that of a drill.
+    ``arena`` is that of the messages between a referee and a program, ``carom-arena/1``: its
+    ``$defs`` have one for each message.
 
     ``Frame.answer_schema`` gives that of the answers to a frame's present request.
 
     Raises:
         InputError: There is no schema of that name.
     """
-    if checked("kind", kind, '"shot"') in ("sweep", "tournament", "tracks"):
+    if checked("kind", kind, '"shot"') in ("sweep", "tournament", "tracks", "drill"):
         path = Path(__file__).with_name("data") / f"carom-{kind}-1.json"
         text = path.read_text(encoding="utf-8")
-    elif kind in ("shot", "trace", "play", "arena"):
+    elif kind in ("shot", "trace", "play", "arena", "study"):
         text = _core.schema(kind)
     else:
         raise InputError(
             "unknown-name",
             "kind",
             f'there is no schema "{kind}"',
-            'write "shot", "trace", "play", "sweep", "tournament", "arena" or "tracks"',
+            'write "shot", "trace", "play", "sweep", "tournament", "arena", "tracks", "study" or '
+            '"drill"',
         )
     result: dict[str, Any] = json.loads(text)
     return result

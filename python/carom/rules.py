@@ -14,6 +14,7 @@ from carom.build import Physics, Strike, Table
 from carom.call import Call, PlayArguments, fields_of, read_call
 from carom.deprecated import renamed_arguments
 from carom.errors import InputError
+from carom.installed import ENGINE
 from carom.noise import Noise
 from carom.reference import DEFAULT_OPTIONS, Options
 from carom.request import CaromCount, Choice, Foul, GameState, Request
@@ -24,8 +25,6 @@ from carom.trace import Trace
 _FORMAT = "carom-frame/1"
 # The first whole number that JavaScript does not tell from its neighbour.
 _SAFE = 1 << 53
-# Name and version, as a trace has them under `engine`.
-ENGINE = f"carom {_core.__version__}"
 
 #: A frame in Rust that a player sees.
 SeenFrame = _core.Frame

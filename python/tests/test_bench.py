@@ -30,7 +30,7 @@ def quick(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_every_state_is_a_valid_shot_that_ends() -> None:
     classes = states.load()
     assert {name: len(members) for name, members in classes.items()} == {
-        "pot_shot": 1,
+        "pots": 240,
         "random_eight_ball": 400,
         "nine_ball_break": 30,
         "eight_ball_break": 30,
@@ -43,18 +43,34 @@ def test_every_state_is_a_valid_shot_that_ends() -> None:
         assert (result.events >= 2).all()
 
 
-def test_the_pot_shot_pockets_its_ball_alone_even_when_it_is_played_a_little_off() -> None:
-    (state,) = states.load()["pot_shot"]
-    assert state.pots == "1"
-    for change in ({}, {"azimuth_deg": 72.1}, {"azimuth_deg": 72.5}, {"speed": 1.9}):
-        trace = carom.Shot.from_dict(dataclasses.replace(state, **change).shot_file()).simulate()
-        assert trace.outcome.pocketed == [["1", "top-right"]]
+def test_every_pot_pockets_its_ball_alone() -> None:
+    pots = states.load()["pots"]
+    shots = [carom.Shot.from_dict(state.shot_file()) for state in pots]
+    pocket = carom.simulate_batch(shots).pocket
+    for state, shot, fallen in zip(pots, shots, pocket, strict=True):
+        potted = [name for name, index in zip(shot.ids, fallen, strict=False) if index >= 0]
+        assert potted == [state.pots]
 
 
-def test_a_pot_shot_that_does_not_pot_is_refused() -> None:
-    (state,) = states.load()["pot_shot"]
-    missed = dataclasses.replace(state, azimuth_deg=75.0)
-    with pytest.raises(RuntimeError, match="carom pockets nothing where ball 1 alone"):
+def test_the_pots_are_of_all_kinds() -> None:
+    pots = states.load()["pots"]
+    met = [
+        [
+            event["balls"]
+            for event in carom.Shot.from_dict(state.shot_file()).simulate().events
+            if event["type"] == "ball-collision" or event.get("part") == "nose"
+        ]
+        for state in pots
+    ]
+    assert sum(met[0] == ["cue"] for met in met) >= 40
+    assert sum(["cue", state.pots] in met for state, met in zip(pots, met, strict=True)) >= 120
+    assert sum(any(len(balls) == 2 and "cue" not in balls for balls in met) for met in met) >= 40
+
+
+def test_a_pot_that_misses_is_refused() -> None:
+    state = states.load()["pots"][0]
+    missed = dataclasses.replace(state, azimuth_deg=state.azimuth_deg + 20.0)
+    with pytest.raises(RuntimeError, match=f"carom pockets .* where ball {state.pots} alone"):
         timing.time_class([missed], None, lambda: None)
 
 
@@ -74,8 +90,9 @@ class _MissingPeer:
 
 
 def test_a_peer_that_pots_something_else_is_refused() -> None:
-    with pytest.raises(RuntimeError, match="pooltool 0 pockets cue where ball 1 alone"):
-        timing.time_class(states.load()["pot_shot"], _MissingPeer(), lambda: None)  # type: ignore[arg-type]
+    pots = states.load()["pots"][:1]
+    with pytest.raises(RuntimeError, match=r"pooltool 0 pockets cue where ball \d alone"):
+        timing.time_class(pots, _MissingPeer(), lambda: None)  # type: ignore[arg-type]
 
 
 def test_the_breaks_move_the_rack() -> None:

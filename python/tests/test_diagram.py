@@ -141,7 +141,7 @@ def test_a_pdf_has_a_page_for_each_sheet(shot: carom.Shot, tmp_path: Path) -> No
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [
-        ({"per_page": 3}, "write 1, 2 or 4"),
+        ({"per_page": 3}, "write 1, 2, 4 or 6"),
         ({"paper": "b5"}, "write a4 or letter"),
         ({"per_page": 2}, "name a paper"),
     ],

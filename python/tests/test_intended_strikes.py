@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import json
+from pathlib import Path
+from typing import TYPE_CHECKING
+
 import carom
 import numpy as np
 import pytest
@@ -10,6 +14,9 @@ from carom.learn.intended_strikes import intended_strikes
 from carom.learn.observation import observe
 from carom.learn.strike_search import StrikeProblem
 from carom.learn.table_model import TableModel
+
+if TYPE_CHECKING:
+    from conftest import CommandLine
 
 LAYOUT = {"1": (0.5, 0.6), "2": (0.9, 2.2), "3": (0.3, 1.8)}
 SENSORS = Noise(azimuth=2e-4, elevation=2e-4, side_m=1e-4, height_m=1e-4, speed_relative=2e-3)
@@ -48,6 +55,48 @@ def test_known_strikes_tell_the_table_from_few_shots_and_starts(
     away = (found.mean - start) / steps
     assert found.shots == 4
     assert away == pytest.approx([2, -2, 2], abs=0.3)
+
+
+def test_strikes_are_found_near_the_intended_ones(
+    played: list[carom.Shot], film: learn.Tracks
+) -> None:
+    known = {str(k + 1): shot for k, shot in enumerate(played)}
+    table, physics = played[0].to_dict()["table"], played[0].to_dict()["physics"]
+    found = learn.strikes(
+        film, table=table, physics=physics, intended=known, noise=SENSORS, starts=4
+    )
+    for strike, shot in zip(found, played, strict=True):
+        assert strike.shot.azimuth == pytest.approx(shot.azimuth, abs=5 * SENSORS.azimuth)
+        assert strike.shot.side == pytest.approx(shot.side, abs=0.02)
+        assert strike.rmse < 0.005
+
+
+def test_the_command_reads_intended_strikes_from_a_folder(
+    played: list[carom.Shot],
+    film: learn.Tracks,
+    run: CommandLine,
+    tmp_path: Path,
+) -> None:
+    tracks, folder, noise = tmp_path / "film.csv", tmp_path / "known", tmp_path / "sensors.json"
+    learn.write_tracks(film, tracks)
+    folder.mkdir()
+    for k, shot in enumerate(played):
+        shot.save(folder / f"{k + 1}.json")
+    noise.write_text(json.dumps(SENSORS.to_dict()))
+    known = ["--intended", str(folder), "--noise", str(noise)]
+    how = ["--starts", "4", "--rounds", "2", *(word for key in FREE for word in ("--free", key))]
+    learned = tmp_path / "learned.json"
+    assert run("learn", "table", str(tracks), "-o", str(learned), *known, *how).returncode == 0
+    out = tmp_path / "strikes"
+    words = ["--learned", str(learned), "-o", str(out), "--starts", "4", *known]
+    assert run("learn", "strikes", str(tracks), *words).returncode == 0
+    for k, shot in enumerate(played):
+        replay = carom.Shot.load(out / f"{k + 1:04}.json")
+        assert replay.azimuth == pytest.approx(shot.azimuth, abs=5 * SENSORS.azimuth)
+    (folder / "9.json").write_text((folder / "1.json").read_text())
+    done = run("learn", "strikes", str(tracks), *words)
+    assert done.returncode == 2
+    assert "intended: no shot is called '9'" in done.stderr
 
 
 def test_a_search_begins_at_the_intended_strike_and_near_it(

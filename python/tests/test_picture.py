@@ -279,6 +279,8 @@ def test_ids_with_markup_do_not_break_a_picture(endless: dict[str, Any]) -> None
     ElementTree.fromstring(picture.svg(trace))
 
 
+# A computer may lack a font for one of them.
+@pytest.mark.filterwarnings("ignore:no installed font:carom.picture.fonts.FontWarning")
 @pytest.mark.parametrize("name", ["$$", r"$\frac$", "\x1b[31m", "\x00", "8\n", "\N{BILLIARDS}"])
 def test_a_ball_and_a_picture_may_have_any_name(endless: dict[str, Any], name: str) -> None:
     endless["balls"][0]["id"] = name

@@ -33,7 +33,7 @@ def test_the_readme_and_the_tutorials_have_snippets() -> None:
 @pytest.mark.parametrize("page", PROGRAMS)
 def test_the_snippets_of_a_page_run_in_order(page: str, tmp_path: Path) -> None:
     # Snippets read files of the checkout and may write files of their own.
-    for folder in ("shots", "tracks"):
+    for folder in ("shots", "tracks", "studies"):
         (tmp_path / folder).symlink_to(ROOT / folder)
     done = subprocess.run(
         [sys.executable, "-W", "error", "-c", PROGRAMS[page]],

@@ -104,6 +104,19 @@ def test_a_further_player_and_more_pairs_play_only_what_is_missing(tmp_path: Pat
     assert Tournament(reordered).run(tmp_path).pairs_now == 0
 
 
+def test_what_an_ended_program_left_beside_a_whole_record_is_removed(tmp_path: Path) -> None:
+    # Seen: killed between the two, a program left played.jsonl beside match.jsonl for ever.
+    file = event(pairs=1)
+    Tournament(file).run(tmp_path)
+    expected = records(tmp_path)
+    (whole, *_) = tmp_path.rglob("match.jsonl")
+    for name in ("played.jsonl", "secret"):
+        whole.with_name(name).write_text("left", encoding="utf-8")
+    assert Tournament(file).run(tmp_path).pairs_now == 0
+    assert records(tmp_path) == expected
+    assert not list(tmp_path.rglob("secret"))
+
+
 PROGRAM = """
 import json, os, signal, sys, time
 from pathlib import Path

@@ -2,15 +2,16 @@
 
 use std::array::from_fn;
 
-use carom::Noise;
 use carom::batch::{self, BatchResult};
 use carom::noise::{Errors, SKILLS};
 use carom::resolve::cue_ball::Strike;
 use carom::runner::Runner;
+use carom::{ErrorKind, Noise};
 use numpy::{PyArray1, PyArray2, PyArray3, PyArrayMethods, PyReadonlyArray2};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::device::CudaDevice;
 use crate::error::to_exception;
 use crate::options::{NoiseOptions, PerceptionOptions, count, numbers_of};
 use crate::shot::{Shot, strike_of};
@@ -29,10 +30,11 @@ pub(crate) fn simulate_batch<'py>(
     py: Python<'py>,
     shots: Vec<PyRef<'py, Shot>>,
     threads: usize,
+    device: Option<PyRef<'py, CudaDevice>>,
 ) -> PyResult<Arrays<'py>> {
     let shots: Vec<_> = shots.iter().map(|shot| shot.0.clone()).collect();
     let shots: Vec<&carom::Shot> = shots.iter().map(|shot| shot.shot()).collect();
-    let runner = runner(py, threads)?;
+    let runner = runner_on(py, threads, device)?;
     let result = py.detach(|| batch::simulate_batch(&shots, &runner));
     arrays(py, result)
 }
@@ -46,9 +48,10 @@ pub(crate) fn simulate_strikes<'py>(
     strikes: PyReadonlyArray2<'py, f64>,
     own_elevation: bool,
     threads: usize,
+    device: Option<PyRef<'py, CudaDevice>>,
 ) -> PyResult<Arrays<'py>> {
     let strikes = strikes_of(&strikes);
-    let runner = runner(py, threads)?;
+    let runner = runner_on(py, threads, device)?;
     let simulate =
         if own_elevation { batch::simulate_at_own_elevation } else { batch::simulate_strikes };
     let result = py.detach(|| simulate(&shot.0, &strikes, &runner));
@@ -58,6 +61,7 @@ pub(crate) fn simulate_strikes<'py>(
 /// The same with the layouts of `perception` and the cling of `noise`; `draw`: the seed and the number
 /// of the first variant.
 #[pyfunction]
+#[expect(clippy::too_many_arguments, reason = "the variants, threads and device")]
 pub(crate) fn simulate_variants<'py>(
     py: Python<'py>,
     shot: &Shot,
@@ -66,8 +70,9 @@ pub(crate) fn simulate_variants<'py>(
     perception: PerceptionOptions,
     draw: (u64, u64),
     threads: usize,
+    device: Option<PyRef<'py, CudaDevice>>,
 ) -> PyResult<Arrays<'py>> {
-    let (strikes, runner) = (strikes_of(&strikes), runner(py, threads)?);
+    let (strikes, runner) = (strikes_of(&strikes), runner_on(py, threads, device)?);
     let (noise, perception, (seed, first)) = (noise.noise(), perception.perception(), draw);
     let errors = Errors { noise, perception, seed };
     let result = py.detach(|| batch::simulate_variants(&shot.0, &strikes, &errors, first, &runner));
@@ -162,10 +167,27 @@ pub(crate) fn runner(py: Python<'_>, threads: usize) -> PyResult<Runner> {
     Runner::new(count(threads)).map_err(|e| to_exception(py, &e))
 }
 
+/// The same, with `device` for batches.
+pub(crate) fn runner_on(
+    py: Python<'_>,
+    threads: usize,
+    device: Option<PyRef<'_, CudaDevice>>,
+) -> PyResult<Runner> {
+    let runner = runner(py, threads)?;
+    Ok(match device {
+        Some(device) => runner.on(device.0.clone()),
+        None => runner,
+    })
+}
+
 pub(crate) fn arrays<'py>(py: Python<'py>, result: BatchResult) -> PyResult<Arrays<'py>> {
     let BatchResult { shots, balls, final_position, pocket, events, errors } = result;
     let texts = PyDict::new(py);
     for (index, error) in errors {
+        // The device has failed, not the shot.
+        if error.kind() == ErrorKind::System {
+            return Err(to_exception(py, &error));
+        }
         texts.set_item(index, error.to_string())?;
     }
     let flat = final_position.into_iter().flatten().collect::<Vec<f64>>();

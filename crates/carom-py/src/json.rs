@@ -5,9 +5,10 @@ use pyo3::prelude::*;
 
 use crate::error::to_exception;
 
-/// JSON text as a tree. The error of a syntax fault names the `file` of the text, if it has one.
-pub(crate) fn read(py: Python<'_>, text: &str, file: Option<&str>) -> PyResult<Node> {
-    Node::from_json(text).map_err(|error| {
+/// JSON text of at most `most` bytes as a tree. The error of a syntax fault names the `file` of the text, if
+/// it has one.
+pub(crate) fn read(py: Python<'_>, text: &str, file: Option<&str>, most: usize) -> PyResult<Node> {
+    Node::from_json_within(text, most).map_err(|error| {
         let error = match file {
             Some(file) => error.in_file(file),
             None => error,

@@ -3,6 +3,8 @@
 mod arena;
 mod arena_check;
 mod batch;
+mod device;
+mod drill;
 mod env;
 mod env_opponent;
 mod error;
@@ -20,6 +22,7 @@ mod reference;
 mod rolling;
 mod rules;
 mod shot;
+mod study;
 mod successors;
 mod sweep;
 mod trace;
@@ -45,6 +48,12 @@ mod _core {
         simulate_batch, simulate_strikes, simulate_variants, variant,
     };
     #[pymodule_export]
+    use crate::device::CudaDevice;
+    #[pymodule_export]
+    use crate::drill::{
+        accepted_puzzles, judge_shot, make_puzzle, puzzle_themes, read_drill, read_puzzle,
+    };
+    #[pymodule_export]
     use crate::env::{VectorEnv, foul_words, meanings, tasks};
     #[pymodule_export]
     use crate::maps::{
@@ -60,8 +69,8 @@ mod _core {
     use crate::program::supervise;
     #[pymodule_export]
     use crate::reference::{
-        break_presets, break_shot, default_options, error_kinds, game_facts, physics, repaired,
-        schema, tables,
+        break_presets, break_shot, build, default_options, error_kinds, game_facts, physics,
+        repaired, schema, tables,
     };
     #[pymodule_export]
     use crate::rolling::rolling_bands;
@@ -69,6 +78,8 @@ mod _core {
     use crate::rules::{Frame, check_record};
     #[pymodule_export]
     use crate::shot::{Shot, check_part};
+    #[pymodule_export]
+    use crate::study::{Study, judge};
     #[pymodule_export]
     use crate::successors::{pots, successors};
     #[pymodule_export]
@@ -85,6 +96,7 @@ mod _core {
     fn init(module: &Bound<'_, PyModule>) -> PyResult<()> {
         module.add("__version__", env!("CARGO_PKG_VERSION"))?;
         module.add("TIP", carom::resolve::cue_ball::TIP)?;
-        module.add("MOST_SAMPLES", carom::format::MOST_SAMPLES)
+        module.add("MOST_SAMPLES", carom::format::MOST_SAMPLES)?;
+        module.add("MOST_EVENTS", carom::limits::MOST_EVENTS)
     }
 }

@@ -1,5 +1,8 @@
 //! `_core.evaluate`, `_core.solve`, `_core.wilson` and `_core.clustered`.
 
+use std::sync::Arc;
+
+use carom::device::Device;
 use carom::resolve::cue_ball::Strike;
 use carom_plan::{
     ChanceByTable, DrawnTables, Evaluation, Moments, Question, Referee, ResultCounts, Stage,
@@ -9,6 +12,7 @@ use numpy::{PyArray1, PyArray2, PyArrayMethods};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::device::CudaDevice;
 use crate::error::to_exception;
 use crate::options::{GoalOptions, SamplingOptions, SearchOptions, count};
 use crate::progress;
@@ -41,6 +45,7 @@ pub(crate) fn evaluate<'py>(
     referee: Option<(PyRef<'py, Frame>, CallArguments)>,
     tables: Vec<PyRef<'py, Shot>>,
     threads: usize,
+    device: Option<PyRef<'py, CudaDevice>>,
     report: Py<PyAny>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let shot = shot.0.clone();
@@ -63,6 +68,7 @@ pub(crate) fn evaluate<'py>(
         watched: watched.unwrap_or_default(),
         referee: referee.as_ref().map(|(frame, call)| Referee { frame, call: *call }),
         threads: count(threads),
+        device: device.map(|device| device.0.clone() as Arc<dyn Device>),
     };
     let evaluation =
         progress::run(py, &report, |progress| carom_plan::evaluate(&shot, &question, progress))?;

@@ -2,7 +2,7 @@
 
 use carom::format::Node;
 use carom::rack::{Break, Game, break_shot as open};
-use carom::{ErrorKind, Table, edition};
+use carom::{ErrorKind, Table, edition, version};
 use carom_rules::{GameFacts, Options};
 use pyo3::prelude::*;
 
@@ -10,6 +10,20 @@ use crate::error::to_exception;
 use crate::exceptions::refuse;
 use crate::node::{from_python, to_python};
 use crate::shot::Shot;
+
+/// What this build of the engine is: name and version, version of its results, features, vector
+/// instructions, and the commit if it was recorded.
+#[pyfunction]
+pub(crate) fn build(py: Python<'_>) -> PyResult<Bound<'_, PyAny>> {
+    let node = Node::object([
+        ("engine", version::ENGINE.into()),
+        ("results", version::RESULTS_VERSION.into()),
+        ("features", Node::list(version::features().iter().copied())),
+        ("vectors", version::vector_path().into()),
+        ("commit", Node::from(version::COMMIT)),
+    ]);
+    to_python(py, &node)
+}
 
 /// Every physics preset with its values and their sources.
 #[pyfunction]
@@ -83,7 +97,7 @@ pub(crate) fn error_kinds() -> Vec<(&'static str, &'static str, Vec<&'static str
     all.map(|kind| (kind.name(), kind.sentence(), kind.details().to_vec())).collect()
 }
 
-/// The JSON Schema of `shot`, `trace`, `play` or `arena`, as JSON.
+/// The JSON Schema of `shot`, `trace`, `play`, `arena` or `study`, as JSON.
 #[pyfunction]
 pub(crate) fn schema(kind: &str) -> PyResult<String> {
     match kind {
@@ -91,11 +105,12 @@ pub(crate) fn schema(kind: &str) -> PyResult<String> {
         "trace" => Ok(carom::format::schema::TRACE.into()),
         "play" => Ok(carom_rules::play_schema().to_json()),
         "arena" => Ok(carom_arena::ARENA_SCHEMA.into()),
+        "study" => Ok(carom_drill::study::STUDY_SCHEMA.into()),
         _ => Err(refuse(
             ErrorKind::UnknownName,
             "kind",
             &format!("there is no schema \"{kind}\""),
-            "write \"shot\", \"trace\", \"play\" or \"arena\"",
+            "write \"shot\", \"trace\", \"play\", \"arena\" or \"study\"",
         )),
     }
 }

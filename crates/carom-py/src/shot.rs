@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use carom::format::{DefaultElevation, PresetNames, check_balls, check_physics, check_table};
+use carom::limits::MOST_SHOT_BYTES;
 use carom::math::Vec3;
 use carom::resolve::cue_ball::Strike;
 use carom::shot::{CuePose, Touched};
@@ -58,7 +59,7 @@ impl From<carom::Shot> for Shot {
 impl Shot {
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str, file: Option<&str>) -> PyResult<Self> {
-        let node = json::read(py, text, file)?;
+        let node = json::read(py, text, file, MOST_SHOT_BYTES)?;
         let shot = ShotFile::from_node(node).map_err(|e| to_exception(py, &e))?;
         Ok(Self(shot.into()))
     }

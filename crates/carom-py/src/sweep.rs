@@ -1,6 +1,7 @@
 //! Functions for sweeps: `_core.play_rows`, `row_shot`, `read_json`, `points` and `quantiles`.
 
 use carom::format::{KeyPath, Node, Reader, with_value_dated};
+use carom::limits::MOST_BYTES;
 use carom::sample::{Distribution, Sequence};
 use carom::{Error, ErrorKind, ShotFile};
 use carom_plan::sweep::{self, Column, OutcomeColumns, RowResults, STRIKE, SweepRows, Values};
@@ -10,6 +11,7 @@ use numpy::{
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
+use crate::device::CudaDevice;
 use crate::error::to_exception;
 use crate::exceptions::refuse;
 use crate::json;
@@ -72,16 +74,23 @@ pub(crate) struct RowArguments<'py> {
     noise_index: PyReadonlyArray1<'py, i64>,
 }
 
-/// The results of rows, as a dict of arrays of shape (n,), or (n, balls) for columns per ball.
+/// The results of rows; a `device` computes no outcomes. A dict of arrays of shape (n,), or (n, balls) for columns per ball.
 #[pyfunction]
 pub(crate) fn play_rows<'py>(
     py: Python<'py>,
     rows: RowArguments<'py>,
     balls: usize,
     outcomes: bool,
+    device: Option<PyRef<'py, CudaDevice>>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let results = with_rows(py, rows, |rows| py.detach(|| sweep::play(rows, balls, outcomes)))?;
-    to_dict(py, results)
+    let device = device.map(|device| device.0.clone());
+    let results = with_rows(py, rows, |rows| {
+        py.detach(|| match &device {
+            Some(device) => sweep::play_on(rows, balls, &**device),
+            None => Ok(sweep::play(rows, balls, outcomes)),
+        })
+    })?;
+    to_dict(py, results.map_err(|error| to_exception(py, &error))?)
 }
 
 /// The shot of the first row.
@@ -185,7 +194,7 @@ pub(crate) fn read_json<'py>(
     text: &str,
     file: Option<&str>,
 ) -> PyResult<Bound<'py, PyAny>> {
-    to_python(py, &json::read(py, text, file)?)
+    to_python(py, &json::read(py, text, file, MOST_BYTES)?)
 }
 
 /// The value at `path` of a shot file with the dated names of presets.

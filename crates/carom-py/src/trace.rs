@@ -3,6 +3,7 @@
 use std::sync::{Arc, OnceLock};
 
 use carom::format::Node;
+use carom::limits::MOST_BYTES;
 use carom::math::Vec3;
 use carom::trace::{Orientations, Waypoint};
 use carom::{BallState, Error, ShotFile};
@@ -36,6 +37,11 @@ impl Trace {
         Self { trace, shot, orientations: OnceLock::new() }
     }
 
+    /// The trace itself.
+    pub(crate) const fn trace(&self) -> &carom::Trace {
+        &self.trace
+    }
+
     fn read(node: &Node) -> Result<Self, Error> {
         let (trace, shot) = carom::Trace::from_node_with_file(node)?;
         Ok(Self::new(trace, shot.into()))
@@ -67,7 +73,7 @@ type States<'py> = (Cube<'py>, Cube<'py>, Cube<'py>, Cube<'py>, Vec<&'static str
 impl Trace {
     #[staticmethod]
     fn from_json(py: Python<'_>, text: &str, file: Option<&str>) -> PyResult<Self> {
-        let node = json::read(py, text, file)?;
+        let node = json::read(py, text, file, MOST_BYTES)?;
         Self::read(&node).map_err(|e| to_exception(py, &e))
     }
 

@@ -3,12 +3,14 @@
 
 pub mod aim;
 pub mod batch;
+pub mod drill;
 pub mod error;
 pub mod match_record;
 pub mod player;
 pub mod reference;
 pub mod rules;
 pub mod shot;
+pub mod study;
 pub mod successors;
 pub mod trace;
 

@@ -8,7 +8,7 @@ use carom_arena::{BuiltInPlayer, TimeLimit};
 use carom_mind::search::Rounds;
 use carom_mind::{Analysis, Answer, Budget, Decision, Recommendation, Searcher, Situation, Spent};
 use carom_plan::{CaromRoute, Chance, Moments, wilson};
-use carom_rules::{BallIndex, Call, Play};
+use carom_rules::BallIndex;
 use wasm_bindgen::JsValue;
 use wasm_bindgen::prelude::wasm_bindgen;
 
@@ -242,7 +242,7 @@ impl Thought {
             }
         };
         let mut node = Node::object([
-            ("play", best.map_or(Node::Null, |best| play_node(&self.frame, &best.play))),
+            ("play", best.map_or(Node::Null, |best| self.frame.play_node(&best.play))),
             ("win_chance", best.map_or(Node::Null, |best| best.stated_win().into())),
         ]);
         add_spent(&mut node, spent);
@@ -254,7 +254,7 @@ impl Thought {
     pub fn into_decision(mut self) -> Result<String, JsValue> {
         let decision = self.decide().map_err(|e| to_exception(&e))?;
         let (play, choice) = match decision.answer {
-            Answer::Play(play) => (play_node(&self.frame, &play), Node::Null),
+            Answer::Play(play) => (self.frame.play_node(&play), Node::Null),
             Answer::Choice(choice) => (Node::Null, choice.name().into()),
             Answer::Concede => (Node::Null, Node::Null),
         };
@@ -291,35 +291,6 @@ fn id(frame: &carom_rules::Frame, ball: BallIndex) -> Node {
     Node::from(&frame.layout().balls()[usize::from(ball)].id)
 }
 
-/// A play as [`Frame::play`] takes it.
-fn play_node(frame: &carom_rules::Frame, play: &Play) -> Node {
-    let s = &play.strike;
-    let strike = [
-        ("speed", s.speed),
-        ("azimuth", s.azimuth),
-        ("elevation", s.elevation),
-        ("side", s.side),
-        ("height", s.height),
-    ];
-    let mut node =
-        Node::object([("strike", Node::object(strike.map(|(key, x)| (key, Node::from(x)))))]);
-    if let Some(place) = play.cue_ball {
-        node.set("cue_ball", Node::list(place));
-    }
-    let kind = |kind: &str| ("kind", Node::from(kind));
-    match play.call {
-        Call::Nothing => {}
-        Call::Safety => node.set("call", Node::object([kind("safety")])),
-        Call::PushOut => node.set("call", Node::object([kind("push-out")])),
-        Call::On(ball) => node.set("call", Node::object([kind("on"), ("ball", id(frame, ball))])),
-        Call::Pocket(ball, pocket) => {
-            let into = ("into", Node::from(pocket.name()));
-            node.set("call", Node::object([kind("pocket"), ("ball", id(frame, ball)), into]));
-        }
-    }
-    node
-}
-
 fn recommendation_node(frame: &carom_rules::Frame, found: &Recommendation) -> Node {
     let legs = found.legs.iter();
     let legs = legs.map(|leg| Node::List(vec![id(frame, leg.0), u32::from(leg.1).into()]));
@@ -333,7 +304,7 @@ fn recommendation_node(frame: &carom_rules::Frame, found: &Recommendation) -> No
         ("pocket", pocket),
         ("legs", Node::list(legs)),
         ("route", found.route.as_ref().map_or(Node::Null, |route| route_node(frame, route))),
-        ("play", play_node(frame, &found.play)),
+        ("play", frame.play_node(&found.play)),
         ("win_chance", found.win.into()),
         ("error", found.error.into()),
         ("samples", (found.kept.variants as f64).into()),

@@ -37,6 +37,11 @@ impl Trace {
         Self { trace, shot, orientations: OnceCell::new() }
     }
 
+    /// The trace itself.
+    pub(crate) const fn trace(&self) -> &carom::Trace {
+        &self.trace
+    }
+
     /// The file of the shot that was simulated.
     pub(crate) const fn file(&self) -> &Arc<ShotFile> {
         &self.shot

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any, Self, TypeVar
 
+from carom import _core
 from carom.arena.contestants import Asking, Contestant, contestant
 from carom.arena.fresh_errors import luck_settings
 from carom.arena.player_files import FILES, load_file
@@ -100,7 +101,7 @@ class MatchPlan:
             },
             "table": table.description if isinstance(table, Table) else table,
             "physics": physics.description if isinstance(physics, Physics) else physics,
-            "max_events": whole("max_events", max_events, 1 << 32, low=1),
+            "max_events": whole("max_events", max_events, _core.MOST_EVENTS + 1, low=1),
             "noise": [each.to_dict() for each in noises],
             "perception": [each.to_dict() for each in sights],
             "clock": clocks,

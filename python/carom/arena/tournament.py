@@ -111,6 +111,8 @@ class Tournament:
         root.mkdir(parents=True, exist_ok=True)
         with locked(root, "tournament"):
             folder = TournamentFolder.write(root, self._file)
+            for block in _blocks(folder):
+                block.tidy()
             worker.check_players(_blocks(folder))
             before = _finished_pairs(_blocks(folder))
             while True:

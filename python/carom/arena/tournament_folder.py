@@ -29,6 +29,8 @@ FORMAT = "carom-tournament-folder/1"
 #: The record of a finished match, and that of a match that goes on.
 RECORD = "match.jsonl"
 PLAYED = "played.jsonl"
+#: The secret of a match that goes on.
+SECRET = "secret"
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,6 +53,12 @@ class Block:
     def finished(self) -> bool:
         """Whether its record is complete."""
         return (self.folder / RECORD).exists()
+
+    def tidy(self) -> None:
+        """Remove what a program that was ended at the last moment left beside a whole record."""
+        if self.finished:
+            for name in (PLAYED, SECRET):
+                (self.folder / name).unlink(missing_ok=True)
 
     @property
     def record(self) -> Path:

@@ -6,7 +6,6 @@ import json
 import os
 import platform
 import statistics
-import subprocess
 from datetime import UTC, datetime
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,6 +15,7 @@ from rich.table import Table
 from carom import __version__
 from carom.bench.states import CLASSES
 from carom.files import write_whole
+from carom.installed import commit_of
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -106,18 +106,7 @@ CODE = (".", ":(exclude)benches/results", ":(exclude)validation/leckie_greenspan
 def _commit() -> str | None:
     """Short name of the checkout's commit, with ``+`` if files of CODE have changes."""
     root = checkout()
-    if root is None:
-        return None
-    try:
-        changes = _git(root, "status", "--porcelain", "--untracked-files=no", "--", *CODE)
-        return _git(root, "rev-parse", "--short", "HEAD") + ("+" if changes else "")
-    except (OSError, subprocess.CalledProcessError):
-        return None
-
-
-def _git(root: Path, *arguments: str) -> str:
-    command = ["git", "-C", str(root), *arguments]
-    return subprocess.run(command, check=True, capture_output=True, text=True).stdout.strip()
+    return None if root is None else commit_of(root, CODE)
 
 
 def store(result: dict[str, Any], folder: Path) -> Path:
@@ -139,14 +128,27 @@ def show(result: dict[str, Any], console: Console) -> None:
     console.print(
         f"carom {result['carom']} ({result['commit'] or 'no checkout'}) on "
         f"{result['machine']['processor']}, one core, no traces.\n"
-        "Processor time. Repeated: the median of a shot's rounds, then of a class's shots.\n"
-        "In turn: the mean over a class's shots, each unlike the one before.",
+        "Processor time. In turn: the mean over a class's shots, each unlike the one before.\n"
+        "Repeated: the median of a shot's rounds, then of a class's shots.",
         highlight=False,
     )
-    console.print(_medians(result), highlight=False)
     console.print(_means(result), highlight=False)
+    console.print(_medians(result), highlight=False)
     console.print(_events(result), highlight=False)
     console.print(_others(result), highlight=False)
+
+
+def _means(result: dict[str, Any]) -> Table:
+    """The means over shots in turn."""
+    peer = result["peer"]
+    table = _table(["in turn, mean", *(["carom", peer, "ratio"] if peer else ["carom"])])
+    for name, row in result["classes"].items():
+        cells = [CLASSES[name], f"{row['mixed_mean_us']:.2f} µs"]
+        if peer:
+            cells.append(f"{row['peer']['mixed_mean_us'] / 1000:.2f} ms")
+            cells.append(f"{row['ratio_of_mixed_means']:.0f}")
+        table.add_row(*cells)
+    return table
 
 
 def _medians(result: dict[str, Any]) -> Table:
@@ -160,19 +162,6 @@ def _medians(result: dict[str, Any]) -> Table:
             ratio = row["ratio_of_medians"]
             cells.append(f"{row['peer']['median_us'] / 1000:.2f} ms")
             cells += [f"{ratio:.0f}", _verdict(ratio >= BAR_RATIO)]
-        table.add_row(*cells)
-    return table
-
-
-def _means(result: dict[str, Any]) -> Table:
-    """The means over shots in turn."""
-    peer = result["peer"]
-    table = _table(["in turn, mean", *(["carom", peer, "ratio"] if peer else ["carom"])])
-    for name, row in result["classes"].items():
-        cells = [CLASSES[name], f"{row['mixed_mean_us']:.2f} µs"]
-        if peer:
-            cells.append(f"{row['peer']['mixed_mean_us'] / 1000:.2f} ms")
-            cells.append(f"{row['ratio_of_mixed_means']:.0f}")
         table.add_row(*cells)
     return table
 

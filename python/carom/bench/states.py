@@ -10,7 +10,7 @@ from typing import Any
 
 #: Classes of state in the order of reports, with the name that a reader sees.
 CLASSES = {
-    "pot_shot": "pot shot, 2 balls",
+    "pots": "pots of all kinds, 2–4 balls",
     "random_eight_ball": "random mid-game, 4–16 balls",
     "nine_ball_break": "nine-ball break",
     "eight_ball_break": "eight-ball break",

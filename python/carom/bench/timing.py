@@ -156,7 +156,7 @@ def _warm_up(
 
 
 def _check_pot(state: State, pocketed: set[str], engine: str) -> None:
-    """Rejects a pot shot that misses, because its time would not be that of a pot."""
+    """Rejects a pot that misses, because its time would not be that of a pot."""
     if state.pots is not None and pocketed != {state.pots}:
         found = ", ".join(sorted(pocketed)) or "nothing"
         raise RuntimeError(

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 import typer
 
 from carom import learn as tracks_of
+from carom.cli.options import named_noise
 from carom.cli.output import emit, emit_answer, read_shot, say
 from carom.cli.values import numbers
 from carom.errors import InputError
@@ -17,6 +18,7 @@ from carom.files import write_whole
 from carom.learn import player_folder
 from carom.learn.report_data import fit_report
 from carom.learn.report_page import write_report
+from carom.shot import Shot
 
 learn = typer.Typer(
     no_args_is_help=True, help="Learn a table and its players from tracks of balls."
@@ -129,6 +131,23 @@ Threads = Annotated[
     int | None, typer.Option(min=1, help="Number of threads; default: one per core.")
 ]
 
+Intended = Annotated[
+    Path | None,
+    typer.Option(
+        metavar="PATH",
+        help="The intended strike, or the one that a robot's sensors measured: a shot file, if all "
+        "shots are repetitions of it, or a folder with NAME.json for each shot that has one.",
+    ),
+]
+AboutIntended = Annotated[
+    str | None,
+    typer.Option(
+        "--noise",
+        metavar="NAME",
+        help="Errors of the played strikes about the intended ones: a preset or a file.",
+    ),
+]
+
 
 @learn.command()
 def table(
@@ -152,6 +171,8 @@ def table(
             help="A number to learn, such as rolling.a; may be repeated. Default: all.",
         ),
     ] = None,
+    intended: Intended = None,
+    noise: AboutIntended = None,
     report: Annotated[
         Path | None,
         typer.Option(
@@ -194,7 +215,8 @@ def table(
         "threads": threads,
         "progress": sys.stderr.isatty(),
     }
-    learned = tracks_of.table(tracks, **how, keep=keep and keep / "table.json")
+    meant = _intended(intended, noise)
+    learned = tracks_of.table(tracks, **how, **meant, keep=keep and keep / "table.json")
     learned.save(out)
     emit(learned.to_json() if json else learned.summary())
     say(f"wrote {out}")
@@ -207,6 +229,7 @@ def table(
         found = tracks_of.strikes(
             tracks,
             learned,
+            **meant,
             starts=starts,
             seed=seed,
             threads=threads,
@@ -238,6 +261,8 @@ def strikes(
             help="Find the places where the balls lay too, whose errors are about so large, m.",
         ),
     ] = None,
+    intended: Intended = None,
+    noise: AboutIntended = None,
     starts: Starts = 40,
     seed: Seed = 0,
     threads: Threads = None,
@@ -248,6 +273,7 @@ def strikes(
         tracks_of.read_tracks(file, table=table, radius=radius),
         None if learned is None else tracks_of.Posterior.load(learned),
         rest=rest,
+        **_intended(intended, noise),
         starts=starts,
         seed=seed,
         threads=threads,
@@ -332,6 +358,15 @@ def player(
         emit("\n\n".join(one.summary() for one in found))
     for one, file in zip(found, files, strict=True):
         say(f"wrote {one.name} to {file}")
+
+
+def _intended(path: Path | None, noise: str | None) -> dict[str, Any]:
+    """The intended strikes and their errors, as `carom.learn` takes them."""
+    if path is None or not path.is_dir():
+        shots: Shot | dict[str, Shot] | None = None if path is None else read_shot(str(path))
+    else:
+        shots = {file.stem: read_shot(str(file)) for file in sorted(path.glob("*.json"))}
+    return {"intended": shots, "noise": None if noise is None else named_noise(noise)}
 
 
 def _row(index: int, strike: tracks_of.FilmedStrike) -> str:

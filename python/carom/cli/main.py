@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import os
+import platform
 import signal
 import sys
 import traceback
@@ -18,6 +19,7 @@ from carom.cli import (
     arena,
     convert,
     diagram,
+    drills,
     engine,
     learn,
     match,
@@ -26,12 +28,14 @@ from carom.cli import (
     reference,
     renamed,
     shots,
+    study,
     sweep,
     think,
 )
 from carom.cli.output import emit, say, say_json
 from carom.errors import EventCapError, InputError, PageError
 from carom.files import shown
+from carom.installed import build_info
 from carom.streams import STDOUT, whole
 
 # The engine's own cap, which no shot should reach. A lower cap was set by the user.
@@ -54,6 +58,9 @@ app.command("solve", cls=renamed.command(elevation="elevation-deg", of_a_way="pe
 )
 app.command("think")(think.think)
 app.command("diagram")(diagram.diagram)
+app.add_typer(study.study, name="study")
+app.command("drill")(drills.drill)
+app.command("puzzle")(drills.puzzle_command)
 app.command("match")(match.match)
 app.add_typer(arena.arena, name="arena")
 app.add_typer(plan.maps, name="map")
@@ -69,19 +76,37 @@ app.command("physics")(reference.physics)
 app.command("schema")(reference.schema)
 
 
-def _print_version(asked: bool) -> None:
-    if asked:
-        emit(f"carom {__version__}")
-        raise typer.Exit
-
-
-@app.callback()
+@app.callback(invoke_without_command=True)
 def _options(
-    version: bool = typer.Option(
-        False, "--version", callback=_print_version, is_eager=True, help="Print the version."
+    context: typer.Context,
+    version: bool = typer.Option(False, "--version", help="Print the version."),
+    verbose: bool = typer.Option(
+        False, "--verbose", help="With --version: also of the results, and how carom was built."
     ),
 ) -> None:
-    del version
+    if version:
+        emit(_described() if verbose else f"carom {__version__}")
+        raise typer.Exit
+    if verbose:
+        raise typer.BadParameter("it needs --version; write carom --version --verbose", context)
+    if context.invoked_subcommand is None:
+        context.fail("Missing command.")
+
+
+def _described() -> str:
+    """What ``carom.build_info`` says, a line for each fact."""
+    info = build_info()
+    facts = {
+        "results": f"version {info['results']}",
+        "commit": info["commit"] or "not recorded",
+        "features": ", ".join(info["features"]),
+        "vectors": info["vectors"],
+        "page": "included" if info["page"] else "not built",
+        "extras": ", ".join(info["extras"]) or "none",
+        "python": platform.python_version(),
+    }
+    width = max(map(len, facts))
+    return "\n".join([info["engine"], *(f"  {key:{width}}  {facts[key]}" for key in facts)])
 
 
 def run() -> NoReturn:

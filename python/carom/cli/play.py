@@ -1,21 +1,29 @@
-"""``carom play``: the page in the browser."""
+"""``carom play``: the page in the browser, or as a file."""
 
 from __future__ import annotations
 
-import json
 import signal
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 import carom
-from carom.cli.output import file_name, keep_sockets, read
+from carom import _core
+from carom.cli.output import file_name, format_of, keep_sockets, read
+from carom.errors import InputError
+from carom.files import write_whole
+
+if TYPE_CHECKING:
+    from carom.page import Document
 
 
 def play(
     file: Annotated[
         str | None,
-        typer.Argument(metavar="FILE", help="A shot to aim or a trace to replay; - is stdin."),
+        typer.Argument(
+            metavar="FILE", help="A shot to aim, a trace to replay or a study to read; - is stdin."
+        ),
     ] = None,
     port: Annotated[
         int | None,
@@ -26,16 +34,27 @@ def play(
             "the same at every start, unless it is in use.",
         ),
     ] = None,
+    html: Annotated[
+        Path | None,
+        typer.Option(
+            "--html",
+            metavar="OUT",
+            help="Write the page into a file that works offline; no server.",
+        ),
+    ] = None,
     browser: Annotated[
         bool, typer.Option("--browser/--no-browser", help="Open the page in the browser.")
     ] = True,
 ) -> None:
-    """Aim, shoot and replay in the browser; Ctrl-C ends the command."""
+    """Aim, shoot, replay and read studies in the browser; Ctrl-C ends the command."""
+    if html is not None:
+        write_whole(html, carom.page.html(None if file is None else _document(file)))
+        return
     # A shell makes the commands that it starts in the background ignore SIGINT, which would
     # otherwise end this one.
     signal.signal(signal.SIGINT, signal.default_int_handler)
     keep_sockets()
-    document = None if file is None else _document(read(file), file_name(file))
+    document = None if file is None else _document(file)
     carom.serve.serve(
         carom.page.html(document),
         port=port,
@@ -46,12 +65,20 @@ def play(
     )
 
 
-def _document(text: str, name: str) -> carom.Shot | carom.Trace:
-    try:
-        file = json.loads(text)
-    except (ValueError, RecursionError):
-        file = None
-    if isinstance(file, dict) and str(file.get("format", "")).startswith("carom-trace"):
+def _document(path: str) -> Document:
+    name = file_name(path)
+    text = read(path)
+    kind = format_of(_core.read_json(text, name))
+    if kind.startswith("carom-trace"):
         return carom.Trace._read(text, name)
-    # The error for any other text describes a shot file.
+    if kind.startswith("carom-study"):
+        return carom.Study._read(text, name)
+    if kind.startswith(("carom-drill", "carom-backup", "carom-progress")):
+        raise InputError(
+            "unsupported",
+            "format",
+            f"{name}: a file {kind} is opened by the page itself",
+            "run `carom play` without a file, and drop the file on the page",
+        )
+    # The error for any other file describes a shot file.
     return carom.Shot._read(text, name)

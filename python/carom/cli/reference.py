@@ -95,7 +95,7 @@ def schema(
     kind: Annotated[
         str,
         typer.Argument(
-            metavar="[shot|trace|play|sweep|tournament|arena|tracks]",
+            metavar="[shot|trace|play|sweep|tournament|arena|tracks|study|drill]",
             help="The kind of file; arena is that of the messages of programs, tracks that of the "
             "header of tracks.",
         ),

@@ -36,6 +36,7 @@ def sweep(
             "is the cluster of this machine.",
         ),
     ] = None,
+    device: Annotated[str, typer.Option("--device", help="cpu, or a card: cuda, cuda:1.")] = "cpu",
     json: Annotated[bool, typer.Option("--json", help="Print the summary as JSON.")] = False,
 ) -> None:
     """Simulate a table of shots to Parquet.
@@ -51,6 +52,7 @@ def sweep(
             threads=threads,
             part_rows=part_rows,
             ray=address or ray,
+            device=device,
             progress=sys.stderr.isatty(),
         )
     except KeyboardInterrupt:

@@ -62,8 +62,16 @@ def aec(game: str = "eight-ball", **settings: Unpack[MatchSettings]) -> CaromMat
 
     Returns:
         A ``pettingzoo.AECEnv`` with the agents ``player_0`` and ``player_1``.
+
+    Raises:
+        ImportError: PettingZoo is not installed (``pip install 'carom[env]'``).
     """
-    # PettingZoo is loaded with the first match.
-    from carom.env.match import CaromMatch
+    try:
+        # PettingZoo is loaded with the first match.
+        from carom.env.match import CaromMatch
+    except ModuleNotFoundError as error:
+        raise ImportError(
+            "carom.env.aec needs PettingZoo; install it: pip install 'carom[env]'"
+        ) from error
 
     return CaromMatch(game, **settings)

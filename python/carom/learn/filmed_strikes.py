@@ -11,12 +11,14 @@ from carom.arguments import cores, number, whole
 from carom.errors import InputError
 from carom.lazy import np
 from carom.learn.fit_table import fit_error
+from carom.learn.intended_strikes import IntendedStrike, intended_strikes
 from carom.learn.observation import Observation, observe
 from carom.learn.posterior import LearnedNumbers
 from carom.learn.strike_posterior import strike_samples
 from carom.learn.strike_search import STEPS, StrikeProblem, search
 from carom.learn.table_model import POLICIES, Frame, TableModel
 from carom.learn.tracks import TrackedShot, Tracks
+from carom.noise import Noise
 from carom.progress import progress_bar
 from carom.shot import Shot
 from carom.threads import in_order
@@ -71,6 +73,8 @@ def strikes(
     table: str | Mapping[str, Any] | None = None,
     physics: str | Mapping[str, Any] | None = None,
     rest: float | None = None,
+    intended: Shot | Mapping[str, Shot] | None = None,
+    noise: Noise | None = None,
     starts: int = 40,
     seed: int = 0,
     threads: int | None = None,
@@ -86,6 +90,9 @@ def strikes(
         rest: Standard deviation of the places where the balls lay, m, such as 0.0015: they are then
             found with the strike, and the shot has the balls there. None takes the places that were
             seen.
+        intended: The intended shot, if all are repetitions of it, or one by the name of each shot
+            that has one: the search begins near it.
+        noise: Errors of the played strikes about the intended ones; None if they are unknown.
         starts: Starts of the search for each strike.
         seed: Seed of the starts, and of the samples.
         threads: Number of threads; None for all cores. The result does not depend on it.
@@ -95,7 +102,8 @@ def strikes(
         The strikes in the order of the shots. A shot for which none was found is missing.
 
     Raises:
-        InputError: There is no table, a shot has no motion, or ``rest`` is out of range.
+        InputError: There is no table, a shot has no motion, ``rest`` is out of range, an intended
+            shot has no strike or no film, or there is a noise without an intention.
     """
     whole("starts", starts, low=4)
     if rest is not None:
@@ -113,10 +121,13 @@ def strikes(
     else:
         model, vector = learned.model, learned.mean
 
-    def find(tracked: TrackedShot) -> FilmedStrike | None:
+    meant = intended_strikes(tracks, intended, noise)
+
+    def find(known: tuple[TrackedShot, IntendedStrike | None]) -> FilmedStrike | None:
+        tracked, own = known
         observed = observe(tracked)
         shot, frame = model.shot(observed, vector)
-        problem = StrikeProblem(observed, shot, frame, rest)
+        problem = StrikeProblem(observed, shot, frame, rest, own)
         vectors, _ = search(problem, starts, seed)
         if not len(vectors):
             return None
@@ -125,7 +136,7 @@ def strikes(
 
     found = []
     with progress_bar(len(tracks), show=progress, what="strikes") as done:
-        for one in in_order(find, tracks, cores(threads)):
+        for one in in_order(find, list(zip(tracks, meant, strict=True)), cores(threads)):
             if one is not None:
                 found.append(one)
             done(1)

@@ -12,6 +12,7 @@ from typing import Any
 from carom import __version__
 from carom.errors import InputError
 from carom.files import read_text, shown, write_whole
+from carom.installed import ENGINE
 from carom.learn.observation import Observation
 
 FORMAT = "carom-fit/1"
@@ -54,7 +55,7 @@ class KeptWork:
         """
         self.results[name] = result
         if self.path is not None:
-            file = {"format": FORMAT, "key": self.key, "results": self.results}
+            file = {"format": FORMAT, "engine": ENGINE, "key": self.key, "results": self.results}
             write_whole(self.path, json.dumps(file) + "\n")
 
     def _read(self, path: Path) -> dict[str, Any]:

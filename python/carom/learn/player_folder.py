@@ -12,6 +12,7 @@ from typing import Any
 from carom import _core
 from carom.errors import InputError
 from carom.files import read_text, shown
+from carom.installed import ENGINE
 from carom.learn.filmed_strikes import FilmedStrike
 from carom.learn.player_errors import PlayedStrike
 from carom.shot import Shot
@@ -36,7 +37,7 @@ def index_of(strikes: Sequence[FilmedStrike], files: Sequence[str]) -> dict[str,
         if samples is not None:
             row["samples"] = [[float(f"{x:.7g}") for x in sample] for sample in samples.tolist()]
         rows.append(row)
-    return {"format": FORMAT, "strikes": rows}
+    return {"format": FORMAT, "engine": ENGINE, "strikes": rows}
 
 
 def read_strikes(folder: str | os.PathLike[str], *, exact: bool = False) -> list[PlayedStrike]:

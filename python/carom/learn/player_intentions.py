@@ -178,7 +178,7 @@ def _ways(
     arguments = RowArguments(
         [shot._core], np.zeros(rows, np.int32), [], columns, None, 0, np.zeros(rows, np.int64)
     )
-    found = _core.play_rows(arguments, len(shot.ids), goal == "carom")
+    found = _core.play_rows(arguments, len(shot.ids), goal == "carom", None)
     if goal == "carom":
         score = found["rails_before_second_ball"] >= 3
         ways = np.where(score, found["first_contact"], -1)

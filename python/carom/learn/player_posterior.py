@@ -12,6 +12,7 @@ from carom import _core
 from carom.arguments import number, whole
 from carom.errors import InputError
 from carom.files import read_text, shown, write_whole
+from carom.installed import ENGINE
 from carom.lazy import np
 from carom.learn.player_chances import PlayerChances, chances_of
 from carom.learn.player_errors import NUMBERS, UNITS
@@ -236,6 +237,7 @@ class PlayerPosterior:
         below = np.tril_indices(5)
         return {
             "format": FORMAT,
+            "engine": ENGINE,
             "name": self.name,
             "shots": self.shots,
             "speed": self.speed,

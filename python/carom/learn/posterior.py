@@ -12,6 +12,7 @@ from carom import _core
 from carom.arguments import whole
 from carom.errors import InputError
 from carom.files import read_text, shown, write_whole
+from carom.installed import ENGINE
 from carom.lazy import np
 from carom.learn.table_model import Frame, TableModel
 
@@ -190,6 +191,7 @@ class LearnedNumbers:
         frame = self.frame
         return {
             "format": FORMAT,
+            "engine": ENGINE,
             "physics": self.physics,
             "table": self.table,
             "frame": {"offset": [*frame.offset], "rotation": frame.rotation},

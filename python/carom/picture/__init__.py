@@ -1,7 +1,8 @@
 """Pictures of shots with every ball's exact path, of evaluations, solutions and maps.
 
-Matplotlib draws them. It takes half a second to load, so modules outside this package import
-``carom.picture`` inside the function that draws.
+Matplotlib draws them; it is the extra ``picture``: ``pip install 'carom[picture]'``. It takes half
+a second to load, so modules outside this package import ``carom.picture`` inside the function that
+draws.
 """
 
 from __future__ import annotations

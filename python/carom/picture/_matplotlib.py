@@ -10,14 +10,19 @@ import shutil
 import sys
 import tempfile
 
+from carom.errors import InputError
+
 
 def prepare() -> None:
     """Import Matplotlib with its cache in a temporary directory, deleted when the process ends.
 
     By default Matplotlib writes a cache to the user's home when it is first imported. A program
     that has imported it already, or has set ``MPLCONFIGDIR``, keeps its own directory.
+
+    Raises:
+        InputError: Matplotlib is not installed.
     """
-    if "matplotlib" in sys.modules:
+    if sys.modules.get("matplotlib") is not None:
         return
     if "MPLCONFIGDIR" in os.environ:
         _import()
@@ -40,6 +45,13 @@ def _import() -> None:
     backend = os.environ.pop("MPLBACKEND", None)
     try:
         matplotlib = importlib.import_module("matplotlib")
+    except ModuleNotFoundError as error:
+        raise InputError(
+            "unsupported",
+            "",
+            f"pictures need Matplotlib ({error})",
+            "install it: pip install 'carom[picture]'",
+        ) from None
     finally:
         if backend is not None:
             os.environ["MPLBACKEND"] = backend

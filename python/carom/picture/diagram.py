@@ -6,7 +6,6 @@ The table lies, with its head string on the left. Everything can be read without
 from __future__ import annotations
 
 import io
-import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any, Literal, get_args
 
@@ -22,35 +21,40 @@ from carom.arguments import text
 from carom.errors import InputError
 from carom.files import checked_path, write_whole
 from carom.picture import colors, table
+from carom.picture.ball_names import ball_names, free_place, points_on
 from carom.picture.balls import curve, points_per_metre
 from carom.picture.colors import LIGHT, look
 from carom.picture.output import as_written, to_png, to_svg
 from carom.picture.paths import Route, routes, starts
+from carom.picture.shown import Drawn, Shown, heading_of, shown_of
 from carom.picture.style import own_style
+from carom.picture.wrapped_text import fitting, leading, wrapped
 from carom.player import words
 from carom.rules import Frame
 from carom.shot import Shot
-from carom.trace import Trace
 
 if TYPE_CHECKING:
     import os
 
     from matplotlib.axes import Axes
 
-    from carom.picture.paths import Leg, Point
+    from carom.picture.paths import Point
 
 Paper = Literal["a4", "letter"]
-Drawn = Trace | Shot | Frame
 
 # Width and height of the papers, mm.
 PAPERS = {"a4": (210.0, 297.0), "letter": (215.9, 279.4)}
 # Columns and rows of the diagrams on a page; a page with one or with four of them lies.
-GRIDS = {1: (1, 1), 2: (1, 2), 4: (2, 2)}
+GRIDS = {1: (1, 1), 2: (1, 2), 4: (2, 2), 6: (2, 3)}
+# Numbers of diagrams for which the page stands.
+UPRIGHT = (2, 6)
 # Empty edge of a page and space between its diagrams, mm: printers leave 5 mm or more white.
 MARGIN = 10.0
 GAP = 6.0
 # Height of the line above a diagram and of the line below it, mm.
 LINE = 6.0
+# The most of a diagram's height that a text below it may take.
+TEXT_SHARE = 0.4
 # Width of a diagram that is not on a page, and the empty edge around it, mm.
 ALONE, RIM = 200.0, 2.0
 INCH = 25.4
@@ -63,10 +67,6 @@ MARK_INKS = {"white": "#000000", "yellow": "#7a6000", "red": "#b3261e", "blue": 
 LARGE, SMALL = 9.0, 7.0
 # Greatest share of light in a path's colour: yellow would not be seen on white.
 LIGHTEST = 0.45
-# Distance of the points of a path that numbers keep clear of, m: less than half a number's height.
-SPACING = 0.02
-# Directions in which a free place for a number is searched.
-DIRECTIONS = 24
 
 
 @own_style()
@@ -76,15 +76,18 @@ def draw(
     title: str | None = None,
     paper: Paper | None = None,
     per_page: int = 1,
+    solutions: bool = False,
 ) -> list[Figure]:
     """Draw diagrams of shots or positions.
 
     Args:
         found: A trace, whose paths are drawn; a shot, which is simulated for its paths if it has
-            one; a frame, whose balls are drawn; or several of these.
-        title: Heading of each diagram; several are numbered.
+            one; a frame, whose balls are drawn; a chapter of a study, with its text; a study, all
+            of whose chapters are drawn; or several of these.
+        title: Heading of each diagram; several are numbered. Chapters have headings of their own.
         paper: ``a4`` or ``letter``; None draws each diagram for itself.
-        per_page: Diagrams on a page: 1, 2 or 4.
+        per_page: Diagrams on a page: 1, 2, 4 or 6.
+        solutions: Whether a chapter with a task shows the paths of its solution.
 
     Returns:
         The pages, Matplotlib figures.
@@ -93,11 +96,11 @@ def draw(
         InputError: An argument is of a wrong type or value, or there is nothing to draw.
         EventCapError: A shot reached its largest number of events.
     """
-    diagrams = _diagrams(found)
+    diagrams = shown_of(found, solutions)
     if title is not None:
         text("title", title)
     if per_page not in GRIDS:
-        raise InputError("out-of-range", "per_page", f"found {per_page!r}", "write 1, 2 or 4")
+        raise InputError("out-of-range", "per_page", f"found {per_page!r}", "write 1, 2, 4 or 6")
     if paper is not None and paper not in PAPERS:
         known = " or ".join(get_args(Paper))
         raise InputError("unknown-name", "paper", f"found {paper!r}", f"write {known}")
@@ -107,7 +110,7 @@ def draw(
         )
     each = 1 if paper is None else per_page
     pages = [diagrams[k : k + each] for k in range(0, len(diagrams), each)]
-    headings = [_heading(title, k, len(diagrams)) for k in range(len(diagrams))]
+    headings = [heading_of(one, title, k, len(diagrams)) for k, one in enumerate(diagrams)]
     return [
         _page(page, headings[each * k : each * (k + 1)], paper, per_page)
         for k, page in enumerate(pages)
@@ -121,6 +124,7 @@ def save(
     title: str | None = None,
     paper: Paper | None = None,
     per_page: int = 1,
+    solutions: bool = False,
 ) -> None:
     """Write diagrams to a file; the same file for the same shots.
 
@@ -130,7 +134,8 @@ def save(
             have several pages.
         title: Heading of each diagram.
         paper: ``a4`` or ``letter``; None gives the file the size of the diagram.
-        per_page: Diagrams on a page: 1, 2 or 4.
+        per_page: Diagrams on a page: 1, 2, 4 or 6.
+        solutions: As for ``draw``.
 
     Raises:
         InputError: As for ``draw``; or the ending is another one, or only a PDF has enough pages.
@@ -144,7 +149,7 @@ def save(
             f"{file.name!r} ends neither in .svg nor in .png nor in .pdf",
             "end it in one",
         )
-    pages = draw(found, title=title, paper=paper, per_page=per_page)
+    pages = draw(found, title=title, paper=paper, per_page=per_page, solutions=solutions)
     if file.suffix == ".pdf":
         write_whole(file, to_pdf(pages))
         return
@@ -170,40 +175,22 @@ def to_pdf(pages: Sequence[Figure]) -> bytes:
     return out.getvalue()
 
 
-def _diagrams(found: Drawn | Sequence[Drawn]) -> list[Drawn]:
-    many = list(found) if isinstance(found, list | tuple) else [found]
-    drawn: list[Drawn] = []
-    for one in many:
-        if not isinstance(one, Trace | Shot | Frame):
-            raise InputError(
-                "wrong-type",
-                "found",
-                f"{type(one).__name__} is not a shot, a trace or a frame",
-                "give one of these, or a list of them",
-            )
-        drawn.append(one)
-    if not drawn:
-        raise InputError("missing", "found", "there is nothing to draw", "give a shot")
-    return drawn
-
-
-def _heading(title: str | None, index: int, count: int) -> str:
-    if count == 1:
-        return title or ""
-    return f"{title} {index + 1}" if title else str(index + 1)
+# Geometry, balls with their paths, what is drawn on the table, and the text below it.
+_Parts = tuple[dict[str, Any], list[Route], list[dict[str, Any]], str]
 
 
 def _page(
-    diagrams: Sequence[Drawn], headings: Sequence[str], paper: Paper | None, per_page: int
+    diagrams: Sequence[Shown], headings: Sequence[str], paper: Paper | None, per_page: int
 ) -> Figure:
     parts = [_parts(one) for one in diagrams]
     if paper is None:
         left, bottom, right, top = table.bounds(parts[0][0], parts[0][1])
-        tall = ALONE * (right - left) / (top - bottom) + 2 * LINE
+        text = leading(LARGE) * len(wrapped(parts[0][3], ALONE, LARGE)[1:])
+        tall = ALONE * (right - left) / (top - bottom) + 2 * LINE + text
         page, edge = (ALONE + 2 * RIM, tall + 2 * RIM), RIM
     else:
         width, height = PAPERS[paper]
-        page, edge = ((width, height) if per_page == 2 else (height, width)), MARGIN
+        page, edge = ((width, height) if per_page in UPRIGHT else (height, width)), MARGIN
     figure = Figure(figsize=(page[0] / INCH, page[1] / INCH), facecolor="white")
     columns, rows = GRIDS[per_page]
     wide = (page[0] - 2 * edge - (columns - 1) * GAP) / columns
@@ -211,23 +198,22 @@ def _page(
     for k, (part, heading) in enumerate(zip(parts, headings, strict=True)):
         x = edge + (k % columns) * (wide + GAP)
         y = page[1] - edge - (k // columns) * (tall + GAP)
-        size = SMALL if per_page == 4 else LARGE
+        size = SMALL if per_page >= 4 else LARGE
         _diagram(figure, page, (x, y, wide, tall), part, (heading, size))
     return as_written(figure)
 
 
-# Geometry, balls with their paths, what is drawn on the table, and a line of text.
-_Parts = tuple[dict[str, Any], list[Route], list[dict[str, Any]], str]
-
-
-def _parts(one: Drawn) -> _Parts:
+def _parts(shown: Shown) -> _Parts:
+    one = shown.drawn
     if isinstance(one, Frame):
         radius = one._bare_shot().radius[0]
         balls = [_resting(ball, radius, place) for ball, place in one.balls.items()]
-        return one.geometry(), balls, [], ""
+        return one.geometry(), balls, [], shown.text
     trace = one.simulate() if isinstance(one, Shot) else one
     shot = trace.shot
-    return shot.geometry(), routes(trace.to_dict(), starts(trace)), shot.marks, _caption(shot)
+    marks = [*(mark for mark in shown.marks if mark not in shot.marks), *shot.marks]
+    text = "\n".join(filter(None, (_caption(shot), shown.text)))
+    return shot.geometry(), routes(trace.to_dict(), starts(trace)), marks, text
 
 
 def _resting(ball: str, radius: float, place: tuple[float, float]) -> Route:
@@ -253,7 +239,9 @@ def _diagram(
     left, bottom, right, top = table.bounds(geometry, balls)
     x, y, wide, tall = slot
     title, size = heading
-    scale = min(wide / (top - bottom), (tall - 2 * LINE) / (right - left))
+    lines = fitting(wrapped(caption, wide, size), TEXT_SHARE * tall / leading(size))
+    room = tall - 2 * LINE - leading(size) * len(lines[1:])
+    scale = min(wide / (top - bottom), room / (right - left))
     across, down = scale * (top - bottom), scale * (right - left)
     begin = x + 0.5 * (wide - across)
     place = (begin / page[0], (y - LINE - down) / page[1], across / page[0], down / page[1])
@@ -268,9 +256,14 @@ def _diagram(
     _balls(ax, geometry, balls, size)
     _marks(ax, marks, size)
     style: dict[str, Any] = {"fontsize": size, "va": "center", "color": "black"}
-    x = begin / page[0]
-    figure.text(x, (y - 0.3 * LINE) / page[1], title, fontweight="bold", **style)
-    figure.text(x, (y - 1.7 * LINE - down) / page[1], caption, **style)
+    # A dollar sign is one of the text.
+    style["parse_math"] = False
+    figure.text(begin / page[0], (y - 0.3 * LINE) / page[1], title, fontweight="bold", **style)
+    # A text has the whole width; a single line is under its table.
+    x = begin if len(lines) < 2 else x
+    for k, line in enumerate(lines):
+        below = 1.7 * LINE + down + k * leading(size)
+        figure.text(x / page[0], (y - below) / page[1], line, **style)
 
 
 def _ink(color: str) -> str | tuple[float, float, float]:
@@ -307,8 +300,8 @@ def _balls(ax: Axes, geometry: dict[str, Any], balls: Sequence[Route], size: flo
     taken: list[tuple[Point, float]] = []
     for ball in balls:
         taken += [(ball.start, ball.radius), (ball.end, ball.radius)]
-        taken += [(point, 0.0) for leg in ball.legs for point in _points(leg)]
-    names = _names([ball.id for ball in balls])
+        taken += [(point, 0.0) for leg in ball.legs for point in points_on(leg)]
+    names = ball_names([ball.id for ball in balls])
     half = 0.5 * size / points_per_metre(ax)
     for index, ball in enumerate(balls):
         style = look(ball.id, index)
@@ -327,7 +320,7 @@ def _balls(ax: Axes, geometry: dict[str, Any], balls: Sequence[Route], size: flo
             ax.add_patch(Circle(ball.start, 0.55 * ball.radius, facecolor=style.body, zorder=6.1))
         name = names[ball.id]
         if name:
-            at = _free_place(ball, half * (0.55 + 0.35 * len(name)), taken, geometry)
+            at = free_place(ball, half * (0.55 + 0.35 * len(name)), taken, geometry)
             taken.append((at, half))
             ax.text(
                 *at,
@@ -363,53 +356,3 @@ def _marks(ax: Axes, marks: Sequence[dict[str, Any]], size: float) -> None:
             # A dollar sign is one of the text.
             found = ax.text(x, y, mark["text"], fontsize=size, color=ink, parse_math=False, **place)
             found.set(gid=f"mark-{index}", path_effects=halo, fontweight="bold")
-
-
-def _points(leg: Leg) -> list[Point]:
-    """Points on a leg of a path, about a ball's radius apart."""
-    count = max(1, math.ceil(leg.length / SPACING))
-    span = leg.end_time - leg.start_time
-    return [leg.at(leg.start_time + span * k / count)[:2] for k in range(count + 1)]
-
-
-def _names(balls: Sequence[str]) -> dict[str, str]:
-    """What is written beside each ball: its number, or the first letters of its colour.
-
-    The cue ball has no name, and neither have several balls of one colour.
-    """
-    stems = {ball: ball.rstrip("0123456789").rstrip("-_ ") for ball in balls}
-    names = {}
-    for ball, stem in stems.items():
-        others = [other for one, other in stems.items() if one != ball]
-        if not stem:
-            names[ball] = ball
-        elif ball == "cue" or stem in others:
-            names[ball] = ""
-        else:
-            lengths = range(1, len(stem) + 1)
-            own = (n for n in lengths if not any(o.startswith(stem[:n]) for o in others))
-            names[ball] = stem[: next(own, len(stem))].capitalize()
-    return names
-
-
-def _free_place(
-    ball: Route, half: float, taken: Sequence[tuple[Point, float]], geometry: dict[str, Any]
-) -> Point:
-    """The place beside a ball with the most space around it; the nearest of those with enough."""
-
-    def space(at: Point) -> float:
-        others = min(math.dist(at, middle) - radius for middle, radius in taken)
-        if geometry["size"] is None:
-            return others
-        width, length = map(float, geometry["size"])
-        return min(others, at[0], width - at[0], at[1], length - at[1])
-
-    places = [
-        (
-            ball.start[0] + away * math.cos(math.tau * k / DIRECTIONS),
-            ball.start[1] + away * math.sin(math.tau * k / DIRECTIONS),
-        )
-        for away in (ball.radius + half * step for step in (1.6, 2.1, 2.8))
-        for k in range(DIRECTIONS)
-    ]
-    return next((at for at in places if space(at) >= 1.4 * half), max(places, key=space))

@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.text import Text
 
 from carom.arguments import whole
+from carom.picture import fonts
 from carom.picture.style import own_style
 
 DOTS_PER_INCH = 150
@@ -36,6 +37,7 @@ def as_written(figure: Figure) -> Figure:
         if isinstance(artist, Text):
             artist.set_parse_math(False)
             artist.set_text(_NOT_TO_BE_SHOWN.sub(_REPLACEMENT, artist.get_text()))
+    fonts.cover(figure.findobj(Text))
     return figure
 
 
@@ -65,7 +67,7 @@ def to_png(figure: Figure, *, dots_per_inch: int = DOTS_PER_INCH) -> bytes:
 
 @contextmanager
 def _any_glyph() -> Iterator[None]:
-    """Draw a box for a letter that the font lacks, without a warning."""
+    """Draw a box for a letter that no font has, without a second warning."""
     with warnings.catch_warnings():
         warnings.filterwarnings("ignore", message="Glyph .* missing from font")
         yield

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 import warnings
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -16,6 +17,17 @@ def own_style() -> Iterator[None]:
     Pictures are the same for everybody: ``text.usetex``, ``savefig.bbox`` or ``path.sketch`` of the
     user would change them or make them fail.
     """
+    # A font of East Asia may have no bold letters; Matplotlib then takes the others, and says so.
+    fonts = logging.getLogger("matplotlib.font_manager")
+    level = fonts.level
+    fonts.setLevel(logging.ERROR)
+    try:
+        yield from _with_defaults()
+    finally:
+        fonts.setLevel(level)
+
+
+def _with_defaults() -> Iterator[None]:
     with rc_context():
         with warnings.catch_warnings():
             # Of defaults that a version of Matplotlib is about to remove.

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 from carom import _core, columns
 from carom.arguments import core, text, thread_count
 from carom.call import fields_of
+from carom.device import opened
 from carom.errors import InputError
 from carom.noise import Noise, Perception, noise_or_default, perception_or_none
 from carom.plan.chance import Chance, chances_to_dict, or_null
@@ -278,6 +279,7 @@ def evaluate(
     draws: int = 32,
     level: float = 0.95,
     threads: int | None = None,
+    device: str = "cpu",
     progress: bool = False,
 ) -> Evaluation:
     """The probability of each result, if a player who errs intends the shot's strike.
@@ -307,12 +309,14 @@ def evaluate(
             5 mm are left out.
         level: Confidence level of the intervals, in (0, 1).
         threads: Number of threads; None is one per core. The result does not depend on it.
+        device: ``"cpu"``, ``"cuda"`` or ``"cuda:1"``; see ``carom.device``.
         progress: Show a progress bar on stderr.
 
     Raises:
         InputError: The shot has no strike, a number is out of range, there is no such ball or
-            pocket to watch, the frame requests another shot, or balls have no room on most drawn
-            tables: they overlap there by more than 5 mm.
+            pocket to watch, the frame requests another shot, balls have no room on most drawn
+            tables (they overlap there by more than 5 mm), ``device`` cannot be used, or it is given
+            with a frame.
     """
     sampling = Sampling(noise, perception, seed, n, precision, level)
     shot, tables = on_drawn_tables(shot, posterior, draws, sampling.n, sampling.seed, frame)
@@ -323,6 +327,7 @@ def evaluate(
                 "conflict", "watch", "it has no effect without precision", "give precision too"
             )
         watched = ball_and_pocket("watch", watch)
+    card = opened(device)
     with stage_bars(["shots"], show=progress) as report:
         found = _core.evaluate(
             core_of(shot),
@@ -331,6 +336,7 @@ def evaluate(
             _referee(frame, call),
             tables,
             thread_count(threads),
+            card,
             report,
         )
     counts = found.pop("counts")

@@ -88,7 +88,9 @@ def write(player: RowPlayer, parts: Parts, missing: list[int]) -> Generator[Rece
     wanted = data.from_arrow(
         [pa.table({"part": task}) for task in _tasks(missing, cluster.cores())]
     )
-    done = wanted.map_batches(work, batch_size=1, batch_format="pyarrow")
+    # Ray gives each task a card of its own.
+    needs = {} if player.device == "cpu" else {"num_gpus": 1}
+    done = wanted.map_batches(work, batch_size=1, batch_format="pyarrow", **needs)
     for batch in done.iter_batches(batch_size=None, batch_format="pyarrow", prefetch_batches=0):
         for answer in batch.to_pylist():
             if answer["refused"] is not None:

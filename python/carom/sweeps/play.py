@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
+from copy import copy
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, TypeAlias
 
 from carom import _core
+from carom.device import opened
 from carom.errors import InputError
 from carom.lazy import np, pa
 from carom.sweeps import spec as specs
@@ -52,6 +54,9 @@ class RowArguments:
 class RowPlayer:
     """Computes and simulates the rows of a spec."""
 
+    # Where the rows are simulated.
+    device = "cpu"
+
     def __init__(self, spec: Spec) -> None:
         self.spec = spec
         self.balls = spec.balls
@@ -66,6 +71,28 @@ class RowPlayer:
         self.own = np.array([_own_strike(strike) for strike in files])
         self.parameter_schema = pa.schema(self._parameter_fields())
         self.schema = pa.schema([*self._parameter_fields(), *self._outcome_fields()])
+
+    def on(self, device: str) -> RowPlayer:
+        """The same rows, simulated on ``device``.
+
+        Raises:
+            InputError: The device cannot be used, or a column needs more than it computes.
+        """
+        if device == "cpu":
+            return self
+        needed = [column for column in self.spec.columns if column in REFEREE]
+        if needed:
+            raise InputError(
+                "unsupported",
+                "device",
+                f"a device does not compute the columns {', '.join(needed)}",
+                'leave them out of the sweep\'s columns, or use device="cpu"',
+            )
+        # Open it before anything is written.
+        opened(device)
+        player = copy(self)
+        player.device = device
+        return player
 
     def parameters(self, start: int, stop: int) -> pa.RecordBatch:
         """The numbers and parameters of the rows from ``start`` up to ``stop``."""
@@ -107,7 +134,7 @@ class RowPlayer:
     def _play(self, batch: pa.RecordBatch) -> pa.RecordBatch:
         rows = self._rows(batch)
         with_referee = not set(REFEREE).isdisjoint(self.spec.columns)
-        found = _core.play_rows(rows, self.balls, with_referee)
+        found = _core.play_rows(rows, self.balls, with_referee, opened(self.device))
         return self._with_outcomes(batch, _numpy(batch["layout"]), found)
 
     def shot(self, row: int) -> _core.Shot:

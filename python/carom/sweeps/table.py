@@ -121,14 +121,20 @@ class Sweep:
         return self._player.play(batch)
 
     def table(
-        self, start: int = 0, stop: int | None = None, *, threads: int | None = None
+        self,
+        start: int = 0,
+        stop: int | None = None,
+        *,
+        threads: int | None = None,
+        device: str = "cpu",
     ) -> pa.Table:
         """The rows from ``start`` up to ``stop``, in memory. Ctrl-C stops it.
 
         Raises:
-            InputError: The sweep has no such rows, or they do not fit into memory.
+            InputError: The sweep has no such rows, or they do not fit into memory; or ``device``
+                cannot be used.
         """
-        return play_rows(self._player, *self._range(start, stop), threads=cores(threads))
+        return play_rows(self._player.on(device), *self._range(start, stop), threads=cores(threads))
 
     def shot(self, row: int) -> Shot:
         """The shot of one row, to look at or to simulate with a trace.
@@ -147,6 +153,7 @@ class Sweep:
         threads: int | None = None,
         part_rows: int | None = None,
         ray: bool | str = False,
+        device: str = "cpu",
         progress: bool = False,
     ) -> Report:
         """Write the whole table into a folder as Parquet; continue where an earlier run stopped.
@@ -159,16 +166,19 @@ class Sweep:
             part_rows: Rows of one file; None chooses a number that depends on the sweep only.
             ray: Simulate on Ray: True starts Ray on this machine, an address joins a running
                 cluster. All machines of a cluster must see the folder.
+            device: ``"cpu"``, ``"cuda"`` or ``"cuda:1"``; see ``carom.device``. On Ray each task
+                has a card of its own, which is ``"cuda"`` there. Columns of contacts need
+                ``"cpu"``.
             progress: Show a progress bar on stderr.
 
         Raises:
             InputError: The folder holds another sweep, a sweep of another version of carom or a
-                damaged part; or no row can be simulated.
+                damaged part; no row can be simulated; or ``device`` cannot be used.
         """
         if not isinstance(ray, str):
             ray = truth("ray", ray)
         return run(
-            self._player,
+            self._player.on(device),
             checked_path("out", out, "out"),
             threads=threads,
             part_rows=part_rows,
@@ -212,11 +222,14 @@ def sweep(
     threads: int | None = None,
     part_rows: int | None = None,
     ray: bool | str = False,
+    device: str = "cpu",
     progress: bool = False,
 ) -> Report:
     """Simulate a sweep into a folder: ``Sweep.run`` of a sweep, a spec or a spec file's path."""
     found = _sweep_of(spec)
-    return found.run(out, threads=threads, part_rows=part_rows, ray=ray, progress=progress)
+    return found.run(
+        out, threads=threads, part_rows=part_rows, ray=ray, device=device, progress=progress
+    )
 
 
 def _sweep_of(spec: Any) -> Sweep:
