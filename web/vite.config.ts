@@ -1,10 +1,11 @@
 import { defineConfig } from "vitest/config";
 import { viteSingleFile } from "vite-plugin-singlefile";
+import { withContentPolicy } from "./scripts/content_policy.ts";
 
 // The build is one HTML file that contains JavaScript, CSS, the WebAssembly (a string in a module) and the
 // worker (`?worker&inline`). It works from disk, in an iframe and without a network.
 export default defineConfig({
-  plugins: [viteSingleFile({ removeViteModuleLoader: true })],
+  plugins: [viteSingleFile({ removeViteModuleLoader: true }), withContentPolicy()],
   // The licenses are in the root of the checkout.
   server: { fs: { allow: [".."] } },
   build: {
@@ -40,7 +41,7 @@ export default defineConfig({
           // Limits for hanging tests, not for slow machines: pages are drawn in software.
           testTimeout: 180_000,
           hookTimeout: 120_000,
-          expect: { poll: { timeout: 20_000 } },
+          expect: { poll: { timeout: 60_000 } },
         },
       },
       {

@@ -23,7 +23,7 @@ import { straightened } from "../src/photo/picture/rails.ts";
 import { refine } from "../src/photo/picture/refine.ts";
 import { relativeSize } from "../src/photo/picture/ball-size.ts";
 import { generator, type Random } from "../tests/photo/random.ts";
-import { renderRails } from "../tests/photo/rails.ts";
+import { renderRails } from "../tests/photo/tiles.ts";
 import { lit, render } from "../tests/photo/render.ts";
 import { CAMERAS, randomLayout, randomView, STANDS, type View } from "../tests/photo/views.ts";
 import { commitAndDate } from "./commit.ts";

@@ -34,7 +34,7 @@ function attempt(engine: Engine, run: Run, noise: Noise, seed: number): number {
     const trace =
       intended && played(engine, { ...file, strike: intended }, noise, seed + 1000 * shots);
     if (!trace) return step.goal.balls.length - left.length;
-    const verdict = judge(clothOf(engine, drill.table), drill, step, trace, left);
+    const verdict = judge(clothOf(engine, drill.table), step, trace, left);
     const gone = trace.outcome.pocketed.map(([ball]) => ball);
     const balls = file.balls
       .filter(({ id }) => !gone.includes(id))

@@ -81,7 +81,7 @@ function pointsOf(engine: Engine, { drill, step }: Setting, variant: () => Shot)
   try {
     shot = variant();
     const trace = shot.simulate();
-    const { points } = judge(clothOf(engine, drill.table), drill, step, trace);
+    const { points } = judge(clothOf(engine, drill.table), step, trace);
     trace.free();
     return points;
   } catch (error) {

@@ -8,6 +8,8 @@ import { mountPots } from "./analyse/aim-at-pocket.ts";
 import { mountTree } from "./analyse/tree-panel.ts";
 import type { Context } from "./common/context.ts";
 import { mountPresses } from "./common/press.ts";
+import { whenShown } from "./common/shown.ts";
+import type { Slices } from "./common/slices.ts";
 import { mountDrawBar } from "./draw/draw-bar.ts";
 import { mountDrawKeys } from "./draw/draw-keys.ts";
 import { mountDrawMode } from "./draw/draw-mode.ts";
@@ -40,7 +42,9 @@ import { mountShare } from "./share/share-menu.ts";
 import type { Store } from "./document/store.ts";
 import type { Start } from "./start.ts";
 import { mountKept } from "./kept/kept.ts";
-import { isBesideTable, mountTabs, whenShown } from "./shell/tabs.ts";
+import { KeptStorage } from "./kept/kept-storage.ts";
+import { mountLibrary } from "./library/library-panel.ts";
+import { isBesideTable, mountTabs } from "./shell/tabs.ts";
 import { mountTools } from "./shell/header-tools.ts";
 import { mountTheme } from "./shell/theme-choice.ts";
 import { mountTrain } from "./train/train-panel.ts";
@@ -59,9 +63,9 @@ type Opening = Pick<Start, "welcome" | "isPlain" | "reload">;
 /**
  * Mounts header, tabs and dock, which leave the table its room.
  *
- * @returns Mounts everything else, which takes longer. The first picture is drawn in between.
+ * @returns Mounts everything else in slices, which take longer. The first picture is drawn meanwhile.
  */
-export function mountPage(store: Store, context: Context, opening: Opening): () => void {
+export function mountPage(store: Store, context: Context, opening: Opening): () => Slices<void> {
   let openHelp = (): void => undefined;
   mountPresses(document);
   mountTheme(store, context);
@@ -84,33 +88,53 @@ export function mountPage(store: Store, context: Context, opening: Opening): () 
     openHelp();
   });
   mountTools(place("tools"), place("tools-button"));
-  return () => {
-    openHelp = mountParts(store, context, opening);
+  return function* () {
+    openHelp = yield* mountParts(store, context, opening);
   };
 }
 
 /** @returns Opens the help. */
-function mountParts(store: Store, context: Context, opening: Opening): () => void {
+function* mountParts(store: Store, context: Context, opening: Opening): Slices<() => void> {
   const table = place("table") as HTMLCanvasElement;
   mountPots(store, context);
-  mountRefusal(place("refusal"), store);
+  mountRefusal(place("refusal"), store, (sentence) => {
+    context.announce(sentence);
+  });
   mountAimPanel(place("panel-aim"), store, context);
+  yield;
   mountLines(place("panel-lines"), store, context);
   mountTree(place("panel-tree"), store, context, { copy, download });
   whenShown(place("panel-layout"), (panel) => mountLayoutPanel(panel, store, context));
   whenShown(place("panel-physics"), (panel) => mountPhysicsPanel(panel, store, context));
+  yield;
   mountState(place("panel-state"), store);
   mountSound(store);
   mountWhatIf(place("panel-whatif"), store, context);
+  yield;
   mountGame(place("panel-game"), store, context);
   mountBar(place("game-bar"), store, context);
-  const training = mountTrain(place("panel-train"), store, context);
-  mountShare(place("share"), store, context, mountKept(store, context, training, opening));
+  yield;
+  // A page in the frame of another one keeps nothing.
+  const storage = window === window.top ? new KeptStorage() : null;
+  const training = mountTrain(place("panel-train"), store, context, storage);
+  const kept = mountKept(store, context, training, storage, opening);
+  const openStudy = mountLibrary(place("panel-library"), store, context, {
+    library: kept.library,
+    leavePractice: () => training.practice.leave(),
+  });
+  yield;
+  mountShare(
+    place("share"),
+    store,
+    context,
+    (file) => training.openDrillFile(file) ?? kept.opener(file) ?? openStudy(file),
+  );
   mountBack(mountAddress(store, context));
   mountFriend(place("game-bar"), store, context);
   mountReload(store);
   mountDiamonds(place("stage"), store, context);
   mountFilmLegend(place("stage"), store);
+  yield;
   const showSteps = mountOpening(place("shoot-button"), store, context, opening.welcome);
   const openHelp = mountHelp(place("help") as HTMLDialogElement, store, showSteps);
   const closeUp = new AimCloseUp(store, context, () => table.getBoundingClientRect());

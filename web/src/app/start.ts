@@ -8,13 +8,16 @@ import { playThenAim } from "./aim/autoplay.ts";
 import type { Context } from "./common/context.ts";
 import { errorText } from "./common/refusals.ts";
 import { inSlices, type Slices } from "./common/slices.ts";
+import { treeEngine } from "./document/balls-after.ts";
 import { FIRST_VIEW, type Document, type View } from "./document/document.ts";
+import { positionOf } from "./document/lesson.ts";
 import { cannotOpen, documentOf, readFile } from "./document/shot-file.ts";
 import type { Store } from "./document/store.ts";
 import { isMatchText } from "./game/recorded/match-game.ts";
 import { openMatch } from "./game/recorded/match-list.ts";
 import { LESSONS } from "./help/lessons.ts";
 import { hasSeenOpening } from "./help/opening.ts";
+import { isStudyText } from "./library/library-panel.ts";
 import { replay } from "./replay/replay-control.ts";
 import { type LinkContents, readAddress, showTime } from "./share/address.ts";
 import { LinkError } from "./share/link.ts";
@@ -58,6 +61,7 @@ async function firstOf(engine: Engine): Promise<Shown> {
   const embedded = element?.textContent.trim() ?? "";
   const plays = element?.dataset.play !== undefined;
   if (isMatchText(embedded)) return ofMatch(first, embedded);
+  if (isStudyText(embedded)) return ofStudy(engine, first, embedded);
   if (embedded !== "") return fromEmbedded(engine, first, embedded, plays);
   const linked = await fromLink(engine, first, readAddress);
   if (linked) return linked;
@@ -87,6 +91,21 @@ function fromEmbedded(engine: Engine, first: Document, json: string, plays: bool
   }
 }
 
+/** The study that is embedded in the page, at its first chapter. */
+function ofStudy(engine: Engine, first: Document, text: string): Shown {
+  try {
+    const study = engine.study(text);
+    const position = positionOf(study.chapters[0]!, treeEngine(engine).endOf);
+    const begin = (store: Store) => {
+      store.setSession({ lesson: { study, chapter: 0, id: null }, activity: "library" });
+    };
+    return { ...showing({ ...first, ...position }), begin };
+  } catch (error) {
+    if (!(error instanceof CaromError)) console.error(error);
+    return refusing(first, cannotOpen(error, text));
+  }
+}
+
 /** Opens the match that is embedded in the page, once the page is mounted. */
 function ofMatch(first: Document, text: string): Shown {
   const begin = (store: Store, context: Context) => {
@@ -107,8 +126,9 @@ async function fromLink(
   try {
     const contents = await inSlices(read(engine));
     if (!contents) return null;
-    const { document, view, time } = contents;
+    const { document, view, time, lesson } = contents;
     const begin = (store: Store) => {
+      if (lesson) store.setSession({ lesson, activity: "library" });
       // A link may be opened anywhere; what was kept was here before.
       if (read === readAddress || wasSilent()) store.setPart("replay", { sound: false });
       showTime(store, engine, time);

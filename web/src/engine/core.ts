@@ -4,6 +4,15 @@
  */
 import { bits, boolean, json, known, named, numbers, text, whole } from "./arguments.ts";
 import type { CaromRoute, DiamondReading } from "./carom-route.ts";
+import type {
+  DrillFile,
+  Goal,
+  GoalArea,
+  GoalCondition,
+  ListedPuzzle,
+  Puzzle,
+  ShotVerdict,
+} from "./drill-goals.ts";
 import type { BreakOptions, Engine, RollingBand, RollingOptions } from "./engine.ts";
 import { CaromError, type Refusal, refusalOf, refuse } from "./error.ts";
 import { FRAME_FORMAT, replay } from "./frame-record.ts";
@@ -11,6 +20,7 @@ import { Handle, checked, uncloneable } from "./handle.ts";
 import { noiseJson, noiseOf } from "./noise.ts";
 import * as wasm from "./pkg/carom_wasm.js";
 import type { Player, PlayerOptions } from "./player.ts";
+import type { StudyFile, TaskVerdict } from "./study.ts";
 import type { MatchFrame, MatchGame, MatchHeader, MatchRecord } from "./match.ts";
 import type {
   Choice,
@@ -54,6 +64,7 @@ import { warnOnce } from "./warn.ts";
 import { WasmPlayer } from "./wasm-player.ts";
 
 export * from "./carom-route.ts";
+export type * from "./drill-goals.ts";
 export * from "./engine.ts";
 export * from "./error.ts";
 export * from "./match.ts";
@@ -123,6 +134,7 @@ class WasmEngine implements Engine {
   readonly module: WebAssembly.Module;
   #tables: readonly Geometry[] | undefined;
   #physics: Engine["physics"] | undefined;
+  #puzzles: readonly ListedPuzzle[] | undefined;
   #noises: Engine["noisePresets"] | undefined;
 
   constructor(module: WebAssembly.Module) {
@@ -174,6 +186,22 @@ class WasmEngine implements Engine {
         wasm.breakShot(text("game", game), table, speed, whole("seed", seed), gap, preset),
       ),
     );
+  }
+
+  get puzzles() {
+    return (this.#puzzles ??= JSON.parse(wasm.puzzles()) as ListedPuzzle[]);
+  }
+
+  puzzle(id: string): Puzzle {
+    return JSON.parse(checked(() => wasm.puzzle(text("id", id)))) as Puzzle;
+  }
+
+  drill(file: string | DrillFile): DrillFile {
+    return JSON.parse(checked(() => wasm.readDrill(json(file)))) as DrillFile;
+  }
+
+  areaDistance(area: GoalArea, table: string, [x, y]: Point): number {
+    return checked(() => wasm.areaDistance(json(area), text("table", table), x, y));
   }
 
   simulate(shots: readonly Shot[]): Batch {
@@ -273,6 +301,16 @@ class WasmEngine implements Engine {
     return new WasmMatchRecord(checked(() => new wasm.MatchRecord(text("record", record))));
   }
 
+  study(json: string): StudyFile {
+    checked(() => wasm.checkStudy(text("json", json)));
+    return JSON.parse(json) as StudyFile;
+  }
+
+  judge(trace: Trace, goal: readonly GoalCondition[]): TaskVerdict {
+    if (trace instanceof WasmTrace) return trace.judge(goal);
+    throw new TypeError("this is not a trace of this engine; make it with Shot.simulate");
+  }
+
   player(options: PlayerOptions = {}): Player {
     return new WasmPlayer(options, frameHandleOf);
   }
@@ -281,10 +319,16 @@ class WasmEngine implements Engine {
     const schemas: Readonly<Record<string, () => string>> = {
       shot: wasm.shotSchema,
       trace: wasm.traceSchema,
+      study: wasm.studySchema,
     };
     const schema = Object.hasOwn(schemas, kind) ? schemas[kind] : undefined;
     if (schema) return JSON.parse(schema()) as object;
-    refuse("unknown-name", "kind", `there is no schema "${kind}"`, 'write "shot" or "trace"');
+    refuse(
+      "unknown-name",
+      "kind",
+      `there is no schema "${kind}"`,
+      'write "shot", "trace" or "study"',
+    );
   }
 }
 
@@ -427,6 +471,11 @@ class WasmShot implements Shot {
   coefficientAt(key: CoefficientKey, at: number): number {
     const [value] = numbers("", { at }, ["at"]);
     return checked(() => this.handle.object.coefficientAt(text("key", key), value!));
+  }
+
+  judge(goal: Goal, left: readonly string[] = []): ShotVerdict {
+    const verdict = checked(() => this.handle.object.judge(json(goal), [...left]));
+    return JSON.parse(verdict) as ShotVerdict;
   }
 
   withStrike(strike: StrikeInput): Shot {
@@ -588,6 +637,10 @@ class WasmTrace implements Trace {
 
   get outcome() {
     return (this.#outcome ??= JSON.parse(this.#handle.object.outcome()) as Outcome);
+  }
+
+  judge(goal: readonly GoalCondition[]): TaskVerdict {
+    return JSON.parse(checked(() => this.#handle.object.judge(json(goal)))) as TaskVerdict;
   }
 
   statesAt(time: number, out?: Float64Array): Float64Array {

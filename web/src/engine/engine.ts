@@ -1,10 +1,12 @@
 /** The interface of the engine that `load` returns. */
 
+import type { DrillFile, GoalArea, GoalCondition, ListedPuzzle, Puzzle } from "./drill-goals.ts";
 import type { CaromError } from "./error.ts";
 import type { MatchRecord } from "./match.ts";
+import type { StudyFile, TaskVerdict } from "./study.ts";
 import type { Player, PlayerOptions } from "./player.ts";
 import type { Frame, FrameOptions, FrameRecord, FrameTerms, GameFacts } from "./rules.ts";
-import type { Batch, Geometry, Noise, Shot, ShotFile, Trace, TraceFile } from "./types.ts";
+import type { Batch, Geometry, Noise, Point, Shot, ShotFile, Trace, TraceFile } from "./types.ts";
 
 /** Options of `Engine.breakShot`. */
 export interface BreakOptions {
@@ -86,6 +88,14 @@ export interface Engine {
   traceToCap(error: CaromError): Trace;
   /** The break of a game. @throws CaromError for an unknown name or an option out of range. */
   breakShot(game: string, options?: BreakOptions): Shot;
+  /** The puzzles that were found good, with their ratings, theme by theme. */
+  readonly puzzles: readonly ListedPuzzle[];
+  /** Makes the puzzle of an id: a few tenths of a second. @throws CaromError if there is none. */
+  puzzle(id: string): Puzzle;
+  /** Reads a drill file, and returns it with its defaults. @throws CaromError as `shot`. */
+  drill(file: string | DrillFile): DrillFile;
+  /** How far (m) a place is outside an area of a table's preset; 0 inside. */
+  areaDistance(area: GoalArea, table: string, at: Point): number;
   /** Simulates all shots, without traces. */
   simulate(shots: readonly Shot[]): Batch;
   /** The Computational Olympiad's noise times `multiplier`; its tournaments used 0.5, 1 and 2. */
@@ -129,10 +139,20 @@ export interface Engine {
    * @throws CaromError with the line and the key of a damaged value.
    */
   matchRecord(record: string): MatchRecord;
+  /**
+   * Reads a study, the text of a `carom-study/1`. Nothing in it is simulated.
+   * @throws CaromError with the chapter and the place in it.
+   */
+  study(json: string): StudyFile;
+  /**
+   * How a shot stands to the goal of a task.
+   * @throws CaromError for a condition that is unknown, or names no ball or pocket of the shot.
+   */
+  judge(trace: Trace, goal: readonly GoalCondition[]): TaskVerdict;
   /** Names of the built-in players. */
   readonly players: readonly string[];
   /** A player that chooses shots and explains them. @throws CaromError for an invalid option. */
   player(options?: PlayerOptions): Player;
   /** The JSON Schema of a file format. */
-  schema(kind: "shot" | "trace"): object;
+  schema(kind: "shot" | "trace" | "study"): object;
 }

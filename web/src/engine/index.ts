@@ -3,11 +3,13 @@ import embedded from "./pkg/embedded.js";
 import type { Engine } from "./engine.ts";
 
 export * from "./carom-route.ts";
+export type * from "./drill-goals.ts";
 export * from "./engine.ts";
 export * from "./error.ts";
 export * from "./match.ts";
 export * from "./player.ts";
 export * from "./rules.ts";
+export * from "./study.ts";
 export * from "./types.ts";
 
 /**

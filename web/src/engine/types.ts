@@ -6,6 +6,7 @@
 
 import type { CaromRoute, DiamondReading } from "./carom-route.ts";
 import type { Refusal } from "./error.ts";
+import type { Goal, ShotVerdict } from "./goal.ts";
 import type { PocketName, Point, RailName, Vector } from "./places.ts";
 
 export type { PocketName, Point, RailName, Vector } from "./places.ts";
@@ -483,6 +484,11 @@ export interface Shot {
    * @throws CaromError for another key, and for a speed or angle that is negative or not finite.
    */
   coefficientAt(key: CoefficientKey, at: number): number;
+  /**
+   * Simulates the shot and judges it by a goal; `left` are the balls that a run still has to pot.
+   * @throws CaromError for a damaged goal, one with a ball that the shot lacks, and a shot without a strike.
+   */
+  judge(goal: Goal, left?: readonly string[]): ShotVerdict;
   /**
    * The same shot with another strike; about a microsecond. Without an elevation it is the default.
    * @throws CaromError for a strike that the engine refuses in a file, and if the shot has no strike.

@@ -11,6 +11,8 @@ export interface MarkedBall {
   readonly refined: boolean;
   /** Its size in the photo, 1 as on the chosen table; null if its outline was not seen. */
   readonly size: number | null;
+  /** Whether the page has found it and the user has neither confirmed, moved nor renamed it. */
+  readonly suggested: boolean;
 }
 
 export interface Draft {
@@ -49,6 +51,23 @@ export function placeBall(draft: Draft, tray: readonly string[], ball: MarkedBal
   return { ...placed, next: following(placed, tray, ball.id) };
 }
 
+/** Adds balls that the page has found; those of the user stay. */
+export function suggestBalls(
+  draft: Draft,
+  tray: readonly string[],
+  found: readonly MarkedBall[],
+): Draft {
+  const balls = [...draft.balls.filter(({ suggested }) => !suggested), ...found];
+  const next = tray.find((id) => !balls.some((ball) => ball.id === id)) ?? null;
+  return { ...draft, balls, next };
+}
+
+/** The user agrees with a ball that the page has found. */
+export function confirmBall(draft: Draft, id: string): Draft {
+  const balls = draft.balls.map((ball) => (ball.id === id ? { ...ball, suggested: false } : ball));
+  return { ...draft, balls };
+}
+
 /** Puts a ball elsewhere, without going on to the next one. */
 export function moveBall(draft: Draft, ball: MarkedBall): Draft {
   const at = draft.balls.findIndex(({ id }) => id === ball.id);
@@ -61,14 +80,15 @@ export function removeBall(draft: Draft, id: string): Draft {
   return { ...draft, balls: draft.balls.filter((ball) => ball.id !== id), next: id };
 }
 
-/** Exchanges two ids if `to` is on the table already, so that no ball is lost. */
+/** Exchanges two ids if `to` is on the table already, so that no ball is lost. The first is confirmed. */
 export function renameBall(draft: Draft, from: string, to: string): Draft {
   const names = new Map([
     [from, to],
     [to, from],
   ]);
   const balls = draft.balls.map((ball) => ({ ...ball, id: names.get(ball.id) ?? ball.id }));
-  return { ...draft, balls };
+  const next = draft.next === to && !balls.some(({ id }) => id === from) ? from : draft.next;
+  return confirmBall({ ...draft, balls, next }, to);
 }
 
 /** The first ball after `id` in the tray that is not on the table; null if there is none. */

@@ -3,12 +3,14 @@
 import type { Engine, Point } from "../engine/index.ts";
 import {
   addLandmark,
+  confirmBall,
   emptyDraft,
   moveBall,
   moveLandmark,
   placeBall,
   removeBall,
   renameBall,
+  suggestBalls,
   trayOf,
   type Draft,
   type MarkedBall,
@@ -18,6 +20,8 @@ import { landmarks, type Landmarks } from "./geometry/landmarks.ts";
 import { layout, type Layout, type TableOfPhoto } from "./geometry/photo-layout.ts";
 import { locate, type Estimate } from "./geometry/locate.ts";
 import { contradicts, ENOUGH, fittingPreset, proportion } from "./geometry/proportion.ts";
+import { bow } from "./geometry/lens.ts";
+import { findBalls } from "./picture/find-balls.ts";
 import type { Pixels } from "./picture/pixels.ts";
 import { straightened } from "./picture/rails.ts";
 import { refine, REFINED_ERROR } from "./picture/refine.ts";
@@ -86,6 +90,17 @@ export class Session {
     return errors.sort((a, b) => a - b)[errors.length >> 1] ?? null;
   }
 
+  /** Number of the balls that the page has found and the user has not confirmed. */
+  get suggested(): number {
+    return this.#draft.balls.filter(({ suggested }) => suggested).length;
+  }
+
+  /** How far the lens bends the rails, as a share of their length; null without a calibration. */
+  get bow(): number | null {
+    const size = this.#landmarks?.size;
+    return this.#calibration && size ? bow(this.#calibration.camera, size) : null;
+  }
+
   /**
    * Whether the balls look too large or too small for the table, and the preset that they fit; null if
    * their size is as expected or not known.
@@ -109,6 +124,7 @@ export class Session {
       .map((ball) => ({ ...ball, size: ball.size && ball.size * change }));
     const next = this.#tray.find((id) => !balls.some((ball) => ball.id === id)) ?? null;
     this.#set({ ...this.#draft, balls, next });
+    this.suggest();
   }
 
   /**
@@ -120,6 +136,7 @@ export class Session {
     if (!this.#draft.marked) {
       const next = addLandmark(this.#draft, pixel);
       this.#set(next);
+      this.suggest();
       return next.marked && !this.#calibration ? "no camera" : "landmark";
     }
     const id = this.#draft.next;
@@ -134,6 +151,32 @@ export class Session {
   /** Continues with the balls although the middles are not marked. */
   finishLandmarks(): void {
     this.#set({ ...this.#draft, marked: true });
+    this.suggest();
+  }
+
+  /**
+   * Finds the balls, once all landmarks are marked and agree with the table. Balls that the user has placed or
+   * confirmed are the user's: then nothing is found any more.
+   */
+  suggest(): void {
+    const { marked, balls } = this.#draft;
+    const calibration = this.#calibration;
+    const size = this.#landmarks?.size;
+    if (!marked || !calibration?.fits || !size || balls.some(({ suggested }) => !suggested)) return;
+    const { geometry, radius } = this.#table;
+    const searched = { size, radius, pockets: geometry.pockets };
+    const found = findBalls(this.#pixels, calibration.camera, searched, this.#tray);
+    if (found.length === 0 && balls.length === 0) return;
+    const marks = found.map(({ id, pixel, size: seen }) => {
+      return { id, pixel, refined: true, size: seen, suggested: true };
+    });
+    this.#set(suggestBalls(this.#draft, this.#tray, marks));
+  }
+
+  /** The user agrees with a ball that was found. */
+  confirm(id: string): void {
+    const isSuggested = this.#draft.balls.some((ball) => ball.id === id && ball.suggested);
+    if (isSuggested) this.#set(confirmBall(this.#draft, id));
   }
 
   turn(): void {
@@ -160,7 +203,7 @@ export class Session {
 
   /** Moves a ball to a pixel exactly; a place beside the table is ignored. */
   moveBall(id: string, pixel: Point, step: boolean): void {
-    const ball = { id, pixel, refined: false, size: null };
+    const ball = { id, pixel, refined: false, size: null, suggested: false };
     if (this.#isOnTable(ball)) this.#set(moveBall(this.#draft, ball), step);
   }
 
@@ -217,7 +260,7 @@ export class Session {
     const { radius } = this.#table;
     const center = refine(this.#pixels, camera, tap, { radius, slack });
     const size = center && relativeSize(this.#pixels, camera, center, radius);
-    return { id, pixel: center ?? tap, refined: center !== null, size };
+    return { id, pixel: center ?? tap, refined: center !== null, size, suggested: false };
   }
 
   #isOnTable(ball: MarkedBall): boolean {

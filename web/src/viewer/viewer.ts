@@ -98,6 +98,8 @@ export class Viewer {
   readonly #onChange: () => void;
   #dirty = true;
   #renderMs = 0;
+  /** Number of pictures so far. */
+  #pictures = 0;
   /** Start of the browser's first frame after the last picture, ms, and the request that records it. */
   #nextPicture = NaN;
   #request = 0;
@@ -140,7 +142,6 @@ export class Viewer {
     this.#watcher.observe(canvas);
     canvas.addEventListener("webglcontextrestored", this.#restored);
     this.resize();
-    this.#compile();
   }
 
   /** Whether a call of {@link render} would draw something new. */
@@ -405,12 +406,25 @@ export class Viewer {
     const start = performance.now();
     // Cleared before the cameras move, because their changes need another frame.
     this.#dirty = false;
+    this.#pictures += 1;
     const still = this.#stillDue;
     this.#stillDue = false;
     this.#govern(still);
     this.#draw(still || this.#level < LOW);
     this.#renderMs = performance.now() - start;
     this.#awaitStill(still);
+  }
+
+  /** Starts to compile the shaders of the first pictures, in slices. They compile in parallel until then. */
+  compile(): Generator<undefined, void, undefined> {
+    const parts = [this.#balls.group, this.#cue.mesh, this.#paths.group, this.#aim.object];
+    const objects = [this.#table.samples(), ...parts, this.#marks.group];
+    return this.#stage.compile(objects, this.#rig.camera);
+  }
+
+  /** Resolves when the last picture is drawn: {@link render} only orders it. */
+  finished(): Promise<void> {
+    return this.#stage.finished();
   }
 
   /** The picture as PNG, with shadows and `scale` pixels per CSS pixel. */
@@ -513,12 +527,6 @@ export class Viewer {
     this.#rig.setAim(center, cue);
   }
 
-  /** Starts to compile the shaders of the first pictures. They compile in parallel until then. */
-  #compile(): void {
-    const parts = [this.#balls.group, this.#cue.mesh, this.#paths.group, this.#aim.object];
-    this.#stage.compile([this.#table.samples(), ...parts, this.#marks.group], this.#rig.camera);
-  }
-
   /** @param fine - Whether software rendering smooths edges. */
   #draw(fine: boolean): void {
     this.#rig.update(performance.now());
@@ -553,13 +561,26 @@ export class Viewer {
     this.#timer = setTimeout(() => {
       // On a slow machine the next picture of a motion may be due by now: it goes first, and cancels this.
       this.#stillRequest = requestAnimationFrame(() => {
-        if (this.#dirty) return;
-        // The first rest smooths the table, the next one everything.
-        if (this.#stage.smooths) this.#stillDue = true;
-        else this.#stage.smooths = true;
-        this.#invalidate();
+        if (!this.#dirty) void this.#smooth();
       });
     }, STILL_DELAY);
+  }
+
+  /** The first rest smooths the table, the next one everything. A change stops it. */
+  async #smooth(): Promise<void> {
+    const all = this.#stage.smooths;
+    const pictures = this.#pictures;
+    // Another number of pixels empties the canvas, so that it is drawn at once.
+    if (!all || Math.min(STILL.pixelRatio, devicePixelRatio) === this.#stage.pixelRatio) {
+      if (all) this.#apply(STILL, devicePixelRatio);
+      this.#stage.prepare(this.#rig.camera, all);
+      if (all) this.#applyLevel();
+      await this.#stage.finished();
+      if (this.#dirty || this.#pictures !== pictures) return;
+    }
+    if (all) this.#stillDue = true;
+    else this.#stage.showSmooth();
+    this.#invalidate();
   }
 
   #applyLevel(): void {

@@ -53,6 +53,11 @@ for (const [name, viewport] of [
 test("why compares two lines in a sentence", async ({ open }) => {
   const page = await open({ viewport: WIDE });
   await openLines(page);
+  // Seen: two buttons had the name "Why is shot 1 better than shot 2?".
+  const asked = page.locator("#panel-lines .ask");
+  const names = await asked.evaluateAll((all) => all.map(({ ariaLabel }) => ariaLabel));
+  expect(names.length).toBeGreaterThan(2);
+  expect(new Set(names).size).toBe(names.length);
   const ask = page.getByRole("button", { name: "Why is shot 1 better than shot 3?" });
   await ask.click();
   expect(await ask.getAttribute("aria-expanded")).toBe("true");
@@ -233,8 +238,12 @@ test("the zone for the next ball and a plan of three balls are shown", async ({ 
   const shown = await previewed(page);
   await page.keyboard.press("Enter");
   expect(await page.evaluate(() => window.carom!.store.shot.strike)).toEqual(shown);
+  // Seen: its second shot discarded the plan, and Undo did not bring it back.
+  expect(await legs.count()).toBe(3);
   await page.evaluate(() => window.carom!.store.undo());
   expect((await shotOf(page)).balls.length).toBe(4);
+  expect(await legs.count()).toBe(3);
+  expect(await page.locator("#plan-status").textContent()).toMatch(/^All 3 balls fall in/);
 });
 
 test("in practice the chances are those of the pots", async ({ open }) => {

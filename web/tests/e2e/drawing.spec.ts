@@ -3,7 +3,17 @@
 import type { Page } from "playwright-core";
 import { PNG } from "pngjs";
 import { violations } from "./axe.ts";
-import { DESKTOP, expect, onPage, picture, pressTool, settled, shotOf, test } from "./fixture.ts";
+import {
+  DESKTOP,
+  expect,
+  onPage,
+  picture,
+  pressTool,
+  settled,
+  shotOf,
+  storeNow,
+  test,
+} from "./fixture.ts";
 import { finger, LYING, TOUCH } from "./finger.ts";
 
 const PENCIL = "Draw on the table (D)";
@@ -63,8 +73,7 @@ test("three marks and a sentence are drawn by mouse, undone, linked and in the p
   const [red, green, blue] = taken.data.subarray(4 * (py! * taken.width + px!));
   expect(red! > 200 && green! > 160 && blue! < 120, `${red} ${green} ${blue}`).toBe(true);
 
-  await expect.poll(() => page.url()).toContain("#");
-  await page.waitForTimeout(600);
+  await storeNow(page);
   const other = await open({ url: page.url() });
   expect(await marks(other)).toEqual(drawn);
 });

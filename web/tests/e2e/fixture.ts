@@ -8,6 +8,7 @@ import { existsSync, mkdirSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import {
   type Browser,
+  type BrowserContext,
   type BrowserContextOptions,
   chromium,
   type Download,
@@ -49,7 +50,7 @@ interface Fixtures {
 const STARTING = 60_000;
 
 /** Time (ms) that an action or a wait may take. */
-const WAITING = 60_000;
+export const WAITING = 60_000;
 
 /** Window of the performance budgets, at which software rendering must be fluent. */
 export const SMALL = { width: 800, height: 450 };
@@ -119,6 +120,7 @@ class Tabs {
       ...fixed,
     });
     context.setDefaultTimeout(WAITING);
+    await fixRandom(context);
     await context.addInitScript((first) => {
       try {
         if (first) localStorage.removeItem("carom-first-steps");
@@ -263,6 +265,22 @@ export function native(shot: ShotFile): TraceFile {
 }
 
 const OUT = fileURLToPath(new URL("./out/", import.meta.url));
+
+/**
+ * Each page draws the same numbers after it is loaded, so that a test plays the same racks every time: after some
+ * breaks there is a choice instead of a shot. The generator is Park & Miller's (1988).
+ */
+export async function fixRandom(context: BrowserContext): Promise<void> {
+  await context.addInitScript(() => {
+    let state = 1;
+    Math.random = () => (state = (16807 * state) % 2147483647) / 2147483647;
+  });
+}
+
+/** Lets the page store its last changes and write them into its address, as it does before it is left. */
+export async function storeNow(page: Page): Promise<void> {
+  await page.evaluate(() => dispatchEvent(new PageTransitionEvent("pagehide")));
+}
 
 /** Saves a picture of the page under tests/e2e/out, with a pixel of the table per CSS pixel. */
 export async function picture(page: Page, name: string): Promise<void> {

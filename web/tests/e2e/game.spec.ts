@@ -80,7 +80,7 @@ test("the ruling appears when the replay of the shot ends, not before", async ({
   await page.getByRole("button", { name: "Pause" }).waitFor();
   expect(await bar(page)).not.toMatch(/Foul/);
   expect(await page.getByRole("button", { name: "Take it from here" }).isVisible()).toBe(false);
-  await expect.poll(() => bar(page), { timeout: 20_000 }).toMatch(/Foul by Ann: no ball was hit/);
+  await expect.poll(() => bar(page)).toMatch(/Foul by Ann: no ball was hit/);
   await page.getByRole("radio", { name: "Play" }).click();
   await page.getByRole("button", { name: "Watch the last shot again" }).click();
   await page.getByRole("button", { name: "Pause" }).waitFor();

@@ -2,7 +2,17 @@
 
 import type { BrowserContext, Page } from "playwright-core";
 import { inject } from "vitest";
-import { contentsOf, DESKTOP, expect, PHONE, test as base } from "./fixture.ts";
+import { violations } from "./axe.ts";
+import {
+  contentsOf,
+  DESKTOP,
+  expect,
+  fixRandom,
+  PHONE,
+  storeNow,
+  test as base,
+  WAITING,
+} from "./fixture.ts";
 
 /** A user: several tabs with one storage, which lasts until the end of the test. */
 interface User {
@@ -34,7 +44,8 @@ const test = base.extend<Fixtures>({
       } as const;
       const context = await browser.newContext(options);
       contexts.push(context);
-      context.setDefaultTimeout(20_000);
+      context.setDefaultTimeout(WAITING);
+      await fixRandom(context);
       await context.addInitScript(() => localStorage.setItem("carom-first-steps", "1"));
       if (script) await context.addInitScript(script);
       const open = async () => {
@@ -87,9 +98,30 @@ const steps = (page: Page) =>
 const offers = (page: Page) => page.locator("#kept-banner .continue");
 const banner = (page: Page) => page.locator("#kept-banner");
 
-/** Stops tests of what a tab shows before the page has read the storage. */
+/** Waits until a tab has read what can be continued. */
+async function offered(page: Page): Promise<void> {
+  await page.waitForFunction(() => performance.getEntriesByName("carom:offers").length > 0);
+}
+
+/** The same, and lets the tab store its last changes. */
 async function settle(page: Page): Promise<void> {
-  await page.waitForTimeout(600);
+  await offered(page);
+  await storeNow(page);
+}
+
+/** Closes tabs, and waits until the browser has released their works; other tabs have none. */
+async function leave(...pages: readonly Page[]): Promise<void> {
+  const context = pages[0]!.context();
+  for (const page of pages) {
+    await Promise.all([page.waitForEvent("close"), page.close({ runBeforeUnload: true })]);
+  }
+  const watch = await context.newPage();
+  await watch.goto(new URL("icon-192.png", inject("page")).href);
+  await watch.waitForFunction(async () => {
+    const { held } = await navigator.locks.query();
+    return !held!.some(({ name }) => name!.startsWith("carom-work-"));
+  });
+  await watch.close();
 }
 
 for (const [name, viewport] of [
@@ -104,15 +136,21 @@ for (const [name, viewport] of [
     expect(await banner(first).isVisible(), "nothing to continue yet").toBe(false);
     await play(first, 2);
     const before = await steps(first);
-    await first.close({ runBeforeUnload: true });
+    await leave(first);
 
     const page = await open();
     expect(await moves(page)).toBe(0);
-    await offers(page).first().waitFor();
-    expect(await offers(page).count()).toBe(1);
+    await offered(page);
+    expect(await offers(page).count(), (await banner(page).textContent())!).toBe(1);
     expect(await offers(page).textContent()).toMatch(
       /^ContinueNine-ball, Ann against Bea, 2 shots/,
     );
+    expect(await violations(page), "with the banner").toEqual([]);
+    if (viewport === PHONE) {
+      // Seen: the banner covered the upper third of the table.
+      const height = (await banner(page).boundingBox())!.height;
+      expect(height).toBeLessThanOrEqual(56);
+    }
     await page.screenshot({ path: `tests/e2e/out/continue-on-${name.replaceAll(" ", "-")}.png` });
     await offers(page).click();
     await page.waitForFunction(() => window.carom!.store.document.game !== null);
@@ -164,10 +202,10 @@ test("an analysis, a game and a drill are each continued", async ({ visit }) => 
   await first.locator("#drill-straight").click();
   await first.getByRole("button", { name: "Play here" }).click();
   await settle(first);
-  await first.close({ runBeforeUnload: true });
+  await leave(first);
 
   const second = await open();
-  await offers(second).nth(2).waitFor();
+  await offered(second);
   const texts = await offers(second).allTextContents();
   expect(texts.map((text) => /, (0 of|1 shot|\d ball)/.exec(text)?.[1])).toEqual([
     "0 of",
@@ -181,7 +219,7 @@ test("an analysis, a game and a drill are each continued", async ({ visit }) => 
     .waitFor();
   expect(await second.evaluate(() => window.carom!.store.session.activity)).toBe("train");
   const third = await open();
-  await offers(third).nth(1).waitFor();
+  await offered(third);
   // The drill is open in the other tab.
   expect(await offers(third).count()).toBe(2);
   await offers(third).nth(1).click();
@@ -194,16 +232,15 @@ test("two tabs never write to the same game", async ({ visit }) => {
   const [first, second] = [await open(), await open()];
   await play(first, 1);
   await play(second, 2);
-  await settle(first);
+  for (const page of [first, second]) await settle(page);
   const third = await open();
   await settle(third);
   expect(await offers(third).count(), "both games are open").toBe(0);
   const before = [await steps(first), await steps(second)];
-  await first.close({ runBeforeUnload: true });
-  await second.close({ runBeforeUnload: true });
+  await leave(first, second);
   // Two tabs that continue the same game at once: one of them gets a copy.
   const [a, b] = [await open(), await open()];
-  for (const page of [a, b]) await offers(page).first().waitFor();
+  for (const page of [a, b]) await offered(page);
   await Promise.all([offers(a).first().click(), offers(b).first().click()]);
   for (const page of [a, b]) {
     await page.waitForFunction(() => window.carom!.store.document.game !== null);
@@ -211,10 +248,8 @@ test("two tabs never write to the same game", async ({ visit }) => {
   }
   await shoot(a);
   const after = await steps(a);
-  await settle(a);
-  await settle(b);
-  await a.close({ runBeforeUnload: true });
-  await b.close({ runBeforeUnload: true });
+  for (const page of [a, b]) await settle(page);
+  await leave(a, b);
   await third.getByRole("radio", { name: "Play", exact: true }).click();
   const listed = third.locator("#kept-list .continue");
   await listed.nth(2).waitFor();
@@ -232,7 +267,7 @@ test("a finished game is listed with its result, and opens in the review", async
   await page.getByRole("button", { name: "Concede" }).click();
   await page.getByRole("button", { name: "Another frame" }).waitFor();
   await settle(page);
-  await page.close({ runBeforeUnload: true });
+  await leave(page);
 
   const next = await open();
   await settle(next);
@@ -300,6 +335,7 @@ test("everything is saved as one file and brought back in another browser", asyn
   await choose(buffer);
   await other.getByText("2 new entries added.").waitFor();
   await other.locator("#kept-list li", { hasText: "has beaten" }).waitFor();
+  expect(await violations(other), "with the list of games").toEqual([]);
   // The Open button of the header reads it too, and nothing comes twice.
   await other.setInputFiles("#open-file", { name: "again.json", mimeType: "", buffer });
   await other.getByText("0 new entries added.").waitFor();
@@ -357,7 +393,7 @@ test("a damaged entry has a sentence, is saved and deleted, and the others are c
         };
       }),
   );
-  await first.close({ runBeforeUnload: true });
+  await leave(first);
   const page = await open();
   await banner(page).getByText("1 entry in the storage of the browser is damaged").waitFor();
   expect(await offers(page).count()).toBe(1);

@@ -434,9 +434,7 @@ for (const [name, viewport, scheme] of [
       await settled(page);
       expect(await box()).toEqual(first);
     }
-    await expect
-      .poll(() => page.evaluate(() => window.carom!.store.session.mode), { timeout: 60_000 })
-      .toBe("aim");
+    await expect.poll(() => page.evaluate(() => window.carom!.store.session.mode)).toBe("aim");
     const gone = await page.evaluate(() => 16 - window.carom!.store.document.shot.balls.length);
     expect(await page.locator(".tray .potted").count()).toBe(gone);
     expect(await violations(page)).toEqual([]);

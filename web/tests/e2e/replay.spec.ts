@@ -20,9 +20,7 @@ test("a shot plays to its end, and its states are the native engine's", async ({
   await shoot(page);
   expect(await playing(page)).toBe(true);
   const trace = native(await shotOf(page));
-  await page.waitForFunction(() => !window.carom!.store.session.replay.playing, null, {
-    timeout: 30_000,
-  });
+  await page.waitForFunction(() => !window.carom!.store.session.replay.playing);
   expect(await time(page)).toBe(trace.duration);
   expect(await page.locator("#hash").textContent()).toBe(trace.hash);
   const positions = await page.evaluate(() => {

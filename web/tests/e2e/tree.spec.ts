@@ -2,7 +2,7 @@
 
 import type { Page } from "playwright-core";
 import type { FrameRecord } from "../../src/engine/index.ts";
-import { contentsOf, expect, PHONE, pressTool, shotOf, test } from "./fixture.ts";
+import { contentsOf, expect, PHONE, pressTool, shotOf, storeNow, test } from "./fixture.ts";
 
 const WIDE = { width: 1280, height: 800 };
 const CLIPBOARD = { permissions: ["clipboard-read", "clipboard-write"] };
@@ -62,6 +62,9 @@ for (const [name, viewport] of [
     // Seen: the curve had neither a title nor numbers.
     await panel.getByText("Chance of each pot: 0 % at the bottom").waitFor();
     await panel.getByText("As text", { exact: true }).click();
+    // Seen: the text was empty until Copy was pressed.
+    const asText = panel.getByLabel("The shots as text");
+    await expect.poll(() => asText.inputValue()).toContain("{safe, if soft} *");
     await panel.getByRole("button", { name: "Copy" }).click();
     const text = await page.evaluate(() => navigator.clipboard.readText());
     expect(text).toMatch(/^\[Carom "tree\/1"\]\n\[Layout .*\]\n1\. "cue" /);
@@ -81,6 +84,8 @@ for (const [name, viewport] of [
     await panel.getByLabel("The shots as text").fill(text.replace("azimuth_deg=90", "force=9"));
     await panel.getByRole("button", { name: "Open this text" }).click();
     await page.getByText(/cannot be read at “force=9”/).waitFor();
+    // Seen: the notice of an earlier action stood beside the refusal.
+    expect(await page.locator("#notice").textContent()).toBe("");
     expect(await treeOf(page)).toEqual(back);
   });
 }
@@ -111,7 +116,7 @@ test("pockets in the list of shots have the names of the picture when a link ope
   await page.locator("#tab-tree").click();
   const named = page.locator("#panel-tree .node").first();
   await named.filter({ hasText: "bottom side pocket" }).waitFor();
-  await page.waitForTimeout(600);
+  await storeNow(page);
   const hash = await page.evaluate(() => location.hash);
   const other = await open({ viewport: WIDE, hash });
   await other.locator("#tab-tree").click();

@@ -13,7 +13,7 @@ async function turnOn(page: Page): Promise<void> {
 }
 
 async function finished(page: Page): Promise<void> {
-  await page.locator("#variants[data-done=true]").waitFor({ timeout: 20_000 });
+  await page.locator("#variants[data-done=true]").waitFor();
 }
 
 /** The table of chances, by name of the ball. */

@@ -35,7 +35,7 @@ export interface Frame {
   readonly height: number;
 }
 
-type Color = readonly [red: number, green: number, blue: number];
+export type Color = readonly [red: number, green: number, blue: number];
 
 const CLOTHS: readonly Color[] = [
   [30, 120, 80],
@@ -72,33 +72,33 @@ export function lit(random: Random, scene: Omit<Scene, "lamps" | "cloth" | "skin
   return { ...scene, lamps, cloth: random.choice(CLOTHS) };
 }
 
-/** The photo, or a part of it. */
-export function render(scene: Scene, frame: Frame, random: Random): Pixels {
+/** The photo, or a part of it, by this number of samples per pixel along each axis. */
+export function render(scene: Scene, frame: Frame, random: Random, samples = SAMPLES): Pixels {
   const border = Math.ceil(3 * BLUR);
   const [across, down] = [frame.width + 2 * border, frame.height + 2 * border];
-  const [columns, rows] = [across * SAMPLES, down * SAMPLES];
+  const [columns, rows] = [across * samples, down * samples];
   const fine = new Float32Array(columns * rows * 3);
   const painter = new Painter(near(scene, frame));
   for (let j = 0; j < rows; j += 1) {
     for (let i = 0; i < columns; i += 1) {
-      const x = frame.left - border + (i + 0.5) / SAMPLES;
-      const y = frame.top - border + (j + 0.5) / SAMPLES;
+      const x = frame.left - border + (i + 0.5) / samples;
+      const y = frame.top - border + (j + 0.5) / samples;
       fine.set(painter.color([x, y]), 3 * (j * columns + i));
     }
   }
-  const smooth = blurred(blurred(fine, columns, rows), rows, columns);
+  const smooth = blurred(blurred(fine, columns, rows, samples), rows, columns, samples);
   const data = new Uint8ClampedArray(frame.width * frame.height * 4);
   for (let y = 0; y < frame.height; y += 1) {
     for (let x = 0; x < frame.width; x += 1) {
       const at = 4 * (y * frame.width + x);
-      const [i, j] = [(x + border) * SAMPLES, (y + border) * SAMPLES];
+      const [i, j] = [(x + border) * samples, (y + border) * samples];
       for (let c = 0; c < 3; c += 1) {
         let sum = 0;
-        for (let k = 0; k < SAMPLES * SAMPLES; k += 1) {
-          const row = j + Math.floor(k / SAMPLES);
-          sum += smooth[3 * (row * columns + i + (k % SAMPLES)) + c]!;
+        for (let k = 0; k < samples * samples; k += 1) {
+          const row = j + Math.floor(k / samples);
+          sum += smooth[3 * (row * columns + i + (k % samples)) + c]!;
         }
-        data[at + c] = sum / SAMPLES ** 2 + random.gaussian(NOISE);
+        data[at + c] = sum / samples ** 2 + random.gaussian(NOISE);
       }
       data[at + 3] = 255;
     }
@@ -123,8 +123,13 @@ function near(scene: Scene, frame: Frame): Scene {
 }
 
 /** A Gaussian blur along the rows of an image, which is transposed on the way. */
-function blurred(image: Float32Array, columns: number, rows: number): Float32Array {
-  const deviation = BLUR * SAMPLES;
+function blurred(
+  image: Float32Array,
+  columns: number,
+  rows: number,
+  samples: number,
+): Float32Array {
+  const deviation = BLUR * samples;
   const reach = Math.ceil(3 * deviation);
   const weights = Array.from({ length: 2 * reach + 1 }, (_, k) =>
     Math.exp(-0.5 * ((k - reach) / deviation) ** 2),

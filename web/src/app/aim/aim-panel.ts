@@ -101,6 +101,8 @@ function mountSpeed(root: HTMLElement, store: Store, context: Context): void {
     min: () => round(speedIn(store.view.units, SOFTEST), 3),
     max: () => round(speedIn(store.view.units, HARDEST), 1),
     step: 0.05,
+    // The bar beside Shoot is the slider, on a scale of its own.
+    slider: false,
     read: () => speedIn(store.view.units, store.document.shot.strike.speed),
     write: (value, group) =>
       store.strike(

@@ -311,7 +311,6 @@ function why(
   index: number,
   all: readonly Recommendation[],
 ): readonly HTMLElement[] {
-  const other = index === 0 ? 1 : 0;
   const text = h("p", { class: "why", id: uniqueId("why"), hidden: true });
   const button = h(
     "button",
@@ -320,7 +319,7 @@ function why(
       class: "button plain ask",
       "aria-expanded": "false",
       "aria-controls": text.id,
-      "aria-label": t("why.ask", { a: Math.min(index, other) + 1, b: Math.max(index, other) + 1 }),
+      "aria-label": index === 0 ? t("why.best") : t("why.ask", { a: 1, b: index + 1 }),
       onclick: () => {
         text.hidden = !text.hidden;
         button.setAttribute("aria-expanded", String(!text.hidden));

@@ -3,7 +3,7 @@
 import type { Recommendation, Strike } from "../../engine/index.ts";
 import { powerWord } from "../aim/power-bar.ts";
 import { ballName, pocketName } from "../common/shot-words.ts";
-import { TIP } from "../common/units.ts";
+import { estimatedPercent, TIP } from "../common/units.ts";
 import { patternText } from "../pot/carom-words.ts";
 import { interval } from "./plan-orders.ts";
 import { capital, decimal, named, paragraph, t } from "../words/translate.ts";
@@ -64,9 +64,9 @@ function tips(offset: number, plus: "right" | "follow", minus: "left" | "draw"):
   return t(`lines.tips.${halves}`, { where });
 }
 
-/** A share in per cent, without decimals. */
+/** An estimated chance in per cent. */
 export function percent(share: number): string {
-  return t("chance.percent", { number: decimal(100 * share, 0) });
+  return t("chance.percent", { number: estimatedPercent(share) });
 }
 
 /** A distance (m) in whole centimetres: a leave is not known better. */

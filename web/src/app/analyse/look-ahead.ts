@@ -122,10 +122,20 @@ function mountPlan(root: HTMLElement, store: Store, context: Context): void {
       now.document.game === before.document.game &&
       now.document.noise === before.document.noise &&
       now.session.analysis.level === before.session.analysis.level;
-    if (!isSame) planner.clear();
+    if (!isSame) planner.follow();
     else if (now.session.orientation !== before.session.orientation) planner.showAgain();
   });
   planner.clear();
+}
+
+/** A plan that was found. */
+interface Plan {
+  readonly legs: readonly Leg[];
+  readonly said: string;
+  /** Game, errors and level for which it was made. */
+  readonly settings: readonly unknown[];
+  /** The balls of the positions to which it belongs: its own, and those of its shots. */
+  readonly positions: ReadonlySet<unknown>;
 }
 
 /** The plan of some balls, and its settings. */
@@ -153,6 +163,7 @@ class Planner {
     "aria-live": "polite",
   });
   #shown: readonly Leg[] = [];
+  #found: Plan | null = null;
 
   constructor(root: HTMLElement, store: Store, engine: Engine) {
     this.#store = store;
@@ -166,6 +177,24 @@ class Planner {
       this.#list,
       this.#status,
     );
+  }
+
+  /** Follows a change: the plan stays while its shots are opened, and comes back with its position. */
+  follow(): void {
+    const found = this.#found;
+    const isOfPlan =
+      found !== null &&
+      found.positions.has(this.#store.document.shot.balls) &&
+      this.#settings().every((setting, k) => setting === found.settings[k]);
+    this.clear();
+    if (!isOfPlan) return;
+    this.#show(found.legs);
+    setText(this.#status, found.said);
+  }
+
+  #settings(): readonly unknown[] {
+    const { document, session } = this.#store;
+    return [document.game, document.noise, session.analysis.level];
   }
 
   clear(): void {
@@ -198,6 +227,8 @@ class Planner {
     }
     this.#show([]);
     setText(this.#status, t("plan.searching"));
+    const { balls } = this.#store.document.shot;
+    const settings = this.#settings();
     this.#desk.ask(job, {
       part: ({ legs, met, count }) => {
         if (legs.length !== this.#shown.length) this.#show(legs);
@@ -205,7 +236,10 @@ class Planner {
       },
       done: () => {
         this.#list.dataset.done = "true";
-        if (this.#shown.length < job.length) setText(this.#status, t("plan.none"));
+        const legs = this.#shown;
+        if (legs.length < job.length) setText(this.#status, t("plan.none"));
+        const positions = new Set([balls, ...legs.map(({ shot }) => shot.balls)]);
+        this.#found = { legs, said: this.#status.textContent, settings, positions };
       },
       refused: (message) => setText(this.#status, message),
     });

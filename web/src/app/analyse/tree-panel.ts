@@ -108,7 +108,7 @@ class TreePanel {
   }
 
   #files(): HTMLElement {
-    return h(
+    const details = h(
       "details",
       {},
       h("summary", {}, t("tree.text")),
@@ -123,6 +123,16 @@ class TreePanel {
         ),
       ),
     );
+    details.addEventListener("toggle", () => {
+      // A text that the user has put there stays.
+      if (details.open && this.#text.value === "") this.#text.value = this.#asText();
+    });
+    return details;
+  }
+
+  /** The shots as text; empty without shots. */
+  #asText(): string {
+    return this.#tree.nodes.length > 0 ? treeToText(this.#tree) : "";
   }
 
   #visit({ id, shot }: TreeNode): void {

@@ -29,3 +29,8 @@ export function round(value: number, digits: number): number {
   const rounded = Math.round(value * scale) / scale;
   return rounded === 0 ? 0 : rounded;
 }
+
+/** An estimated chance in whole per cent: 99 at most, because a simulation proves no certainty. */
+export function estimatedPercent(share: number): number {
+  return Math.min(99, Math.round(100 * share));
+}

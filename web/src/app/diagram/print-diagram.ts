@@ -1,8 +1,14 @@
-/** Printing: the diagrams of the position, or of all shots of the analysis, and never the interface. */
+/**
+ * Printing: the diagrams of the position, of all shots of the analysis, or of the chapters of the study that is open,
+ * and never the interface.
+ */
 
 import "./print-diagram.css";
 import type { Context } from "../common/context.ts";
 import { h } from "../common/dom.ts";
+import type { ShotFile, StudyFile } from "../../engine/index.ts";
+import { markOf } from "../common/area-outline.ts";
+import { areasOf } from "../document/lesson.ts";
 import { marksOf } from "../document/marks.ts";
 import type { Store } from "../document/store.ts";
 import { t } from "../words/translate.ts";
@@ -14,6 +20,8 @@ export const printing = {
   perPage: 1 as 1 | 2 | 4,
   /** Whether all shots of the analysis are printed, and not the present position alone. */
   all: false,
+  /** Whether the tasks of a study are printed with their solutions. */
+  solutions: false,
 };
 
 /** The diagram of the present shot; null on cloth without edges. */
@@ -43,7 +51,9 @@ export function mountPrint(store: Store, context: Context): void {
 
 function pagesOf(store: Store, context: Context): HTMLElement | null {
   const { paper, perPage } = printing;
-  const diagrams = printing.all ? diagramsOfTree(store, context) : [];
+  const { lesson } = store.session;
+  const ofTree = printing.all ? diagramsOfTree(store, context) : [];
+  const diagrams = lesson ? diagramsOfStudy(lesson.study, context) : ofTree;
   const present = diagrams.length > 0 ? null : presentDiagram(store);
   const figures = present ? [h("figure", {}, present)] : diagrams;
   if (figures.length === 0) return null;
@@ -58,6 +68,26 @@ function pagesOf(store: Store, context: Context): HTMLElement | null {
     { class: "print-diagrams", "data-page": page, "data-count": perPage },
     ...pages,
   );
+}
+
+/** The chapters of a study, each with its title and text. */
+function diagramsOfStudy({ chapters, language: lang }: StudyFile, { engine }: Context) {
+  return chapters.flatMap(({ title, text = "", shot: file, task }, index) => {
+    const shown = printing.solutions ? (task?.solution ?? file.strike) : file.strike;
+    const whole: ShotFile = { ...file, ...(shown && { strike: shown }) };
+    const shot = engine.shot(whole);
+    const trace = shown ? shot.simulate() : null;
+    const drawn = [
+      ...areasOf(task?.goal).map((area) => markOf(area, shot.geometry)),
+      ...(file.marks ?? []),
+    ];
+    const picture = paperDiagram(shot, trace, title, drawn);
+    trace?.free();
+    shot.free();
+    const heading = h("strong", {}, t("lesson.numbered", { number: index + 1, title }));
+    const said = h("p", { class: "print-text" }, text);
+    return picture ? [h("figure", { lang }, h("figcaption", {}, heading), picture, said)] : [];
+  });
 }
 
 /** The shots of the analysis in their order, each with its number and comment. */

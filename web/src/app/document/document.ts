@@ -6,6 +6,7 @@ import type { Orientation } from "../common/seen.ts";
 import type { SpeedUnit } from "../common/units.ts";
 import type { AimedShot } from "./aimed-shot.ts";
 import type { Filmed } from "./filmed.ts";
+import type { Lesson } from "./open-study.ts";
 import type { Drawing } from "./marks.ts";
 import type { Game } from "./stored-game.ts";
 import type { Tree } from "./shot-tree.ts";
@@ -80,7 +81,7 @@ export interface Preview {
 }
 
 /** What the page is used for; it decides which panels are shown. */
-export type Activity = "analyse" | "play" | "train";
+export type Activity = "analyse" | "play" | "train" | "library";
 
 /** An attempt of a drill or a puzzle. While it is aimed, the page does not show how the shot ends. */
 export interface Attempt {
@@ -142,6 +143,8 @@ export interface Session {
   readonly lock: PotLock | null;
   readonly refusal: Refusal | null;
   readonly attempt: Attempt | null;
+  /** The study that is open; null if none is. */
+  readonly lesson: Lesson | null;
   /** How the picture shows the table; names of pockets and rails depend on it. */
   readonly orientation: Orientation;
   /** What is drawn next; null: gestures on the table do not draw. */
@@ -162,6 +165,7 @@ export const FIRST_SESSION: Session = {
   lock: null,
   refusal: null,
   attempt: null,
+  lesson: null,
   orientation: 0,
   drawing: null,
   fine: false,

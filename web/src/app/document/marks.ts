@@ -1,6 +1,6 @@
 /** The marks that are drawn on the table: a part of the shot, so that undo, links and files have them. */
 
-import type { DrawnMark, MarkColor, Point } from "../../engine/index.ts";
+import type { DrawnMark, GoalArea, MarkColor, Point } from "../../engine/index.ts";
 import { round4 } from "../common/angles.ts";
 import type { AimedShot } from "./aimed-shot.ts";
 
@@ -35,6 +35,14 @@ export const FIRST_DRAWING: Drawing = {
 
 export function marksOf({ marks = [] }: Pick<AimedShot, "marks">): readonly DrawnMark[] {
   return marks;
+}
+
+/** The circles and areas of a list of marks, as areas in which a ball may stop. */
+export function areasOfMarks(marks: readonly DrawnMark[]): GoalArea[] {
+  return marks.flatMap((mark): GoalArea[] => {
+    if (mark.kind === "circle") return [{ center: mark.center, radius: mark.radius }];
+    return mark.kind === "area" ? [{ outline: mark.outline }] : [];
+  });
 }
 
 /** A shot with other marks; without any it has no key for them. */

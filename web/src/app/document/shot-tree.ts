@@ -76,6 +76,11 @@ function parentOf(
   return null;
 }
 
+/** Whether two shots are played from the same position. */
+export function startsFrom(a: AimedShot, b: AimedShot): boolean {
+  return same(a.balls, b.balls) && same(setting(a), setting(b));
+}
+
 /** Everything of a shot but balls and strike, and what is drawn. */
 function setting(shot: AimedShot): object {
   return { ...shot, balls: undefined, strike: undefined, marks: undefined };

@@ -2,6 +2,7 @@
 
 import type { Context } from "../common/context.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
+import { playsOn } from "../document/plays-on.ts";
 import type { Store } from "../document/store.ts";
 import { decimal, t } from "../words/translate.ts";
 import { round } from "../common/units.ts";
@@ -83,8 +84,9 @@ export function mountField(root: HTMLElement, store: Store, context: Context, q:
       number.setAttribute("aria-invalid", "false");
     }
   }
-  store.subscribe(() => {
-    show();
+  store.subscribe((now, before) => {
+    // A running replay changes no quantity, and notifies at every picture.
+    if (!playsOn(now.session, before.session)) show();
   });
   show(true);
 }

@@ -6,6 +6,7 @@ import type { Context } from "../common/context.ts";
 import { h, icon, setText } from "../common/dom.ts";
 import { gameName, levelName } from "../common/preset-names.ts";
 import { changeUnpressed } from "../common/press.ts";
+import { whenShown } from "../common/shown.ts";
 import { mountField } from "../form/field.ts";
 import { placeBall } from "../document/layout-changes.ts";
 import { machineOf } from "../document/stored-game.ts";
@@ -32,7 +33,9 @@ export function mountGame(root: HTMLElement, store: Store, context: Context): vo
   const setup = h("div");
   const table = h("div");
   root.append(setup, table);
-  mountSetup(setup, store, context);
+  whenShown(root, () => {
+    mountSetup(setup, store, context);
+  });
   mountHeading(table, store, context.engine);
   const hand = h("section");
   const calls = h("section");

@@ -94,10 +94,16 @@ export const KEYS: readonly Key[] = [
     shown: ["N"],
     help: "key.next-ball",
     run: ({ store }, event) => {
-      const ids = store.document.shot.balls.map((ball) => ball.id);
+      const { balls, strike } = store.document.shot;
+      const ids = balls.map((ball) => ball.id);
       const at = ids.indexOf(store.session.selected ?? "");
       const step = event.shiftKey ? -1 : 1;
-      const next = at < 0 ? 0 : (at + step + ids.length) % ids.length;
+      // At first a ball at which the cue can be aimed.
+      const object = Math.max(
+        0,
+        ids.findIndex((id) => id !== strike.ball),
+      );
+      const next = at < 0 ? object : (at + step + ids.length) % ids.length;
       store.setSession({ selected: ids[next] ?? null });
     },
   },

@@ -1,5 +1,6 @@
 /** Everything that the page keeps as one file, `carom-backup/1`, and back. */
 
+import { freshId } from "../common/fresh-id.ts";
 import {
   DamagedProgress,
   type Progress,
@@ -10,14 +11,15 @@ import type { Keeper } from "../train/progress/progress-keeper.ts";
 import { type FinishedGame, finishedOf } from "./finished-game.ts";
 import type { FinishedGames } from "./finished-games.ts";
 import { check, entriesAt, isEqual, KeptFault, listAt, timeAt } from "./kept-fault.ts";
-import type { KeptStorage, Table } from "./kept-storage.ts";
+import type { Entries, KeptStorage, Table } from "./kept-storage.ts";
 import { KINDS, type KeptWork, unpacked } from "./kept-work.ts";
+import type { Library } from "./library.ts";
+import { entryOf, type LibraryEntry } from "./library-entry.ts";
 import type { WorkKeeper } from "./work-keeper.ts";
-import { freshId } from "./work-locks.ts";
 
 export const BACKUP_FORMAT = "carom-backup/1";
 
-/** The most works and games of a file. */
+/** The most works, games and entries of the library in a file. */
 const MOST = 100_000;
 
 /** The contents of a file, whose structure was checked. */
@@ -25,6 +27,7 @@ export interface Backup {
   readonly works: readonly KeptWork[];
   readonly games: readonly FinishedGame[];
   readonly progress: Progress;
+  readonly library: readonly LibraryEntry[];
 }
 
 /** Where the contents of a file come from and go. */
@@ -32,10 +35,18 @@ export interface Kept {
   readonly works: WorkKeeper;
   readonly games: FinishedGames;
   readonly progress: Keeper;
+  readonly library: Library;
 }
 
-/** The file with everything that can be read. */
-export async function backupText({ works: { storage }, progress }: Kept): Promise<string> {
+/**
+ * The file with everything that can be read.
+ *
+ * @param engine Name and version of the engine.
+ */
+export async function backupText(
+  { works: { storage }, progress }: Kept,
+  engine: string,
+): Promise<string> {
   const works: unknown[] = [];
   const games: unknown[] = [];
   const isReadable = (read: () => unknown) => {
@@ -57,12 +68,17 @@ export async function backupText({ works: { storage }, progress }: Kept): Promis
     if (isReadable(() => finishedOf(data, "game"))) games.push(data);
     return true;
   });
+  const library = (await storage.all("library")).filter((data) =>
+    isReadable(() => entryOf(data, "entry")),
+  );
   const file = {
     format: BACKUP_FORMAT,
+    engine,
     saved: new Date().toISOString(),
     works,
     games,
     progress: progressToData(progress.progress),
+    library,
   };
   return `${JSON.stringify(file)}\n`;
 }
@@ -85,7 +101,12 @@ export function backupOf(text: string): Backup {
     throw new KeptFault("");
   }
   check((data as { format?: unknown } | null)?.format === BACKUP_FORMAT, "");
-  const file = entriesAt(data, "file", ["format", "saved", "works", "games", "progress"]);
+  const file = entriesAt(
+    data,
+    "file",
+    ["format", "saved", "works", "games", "progress"],
+    ["library", "engine"],
+  );
   timeAt(file.saved, "saved");
   return {
     works: listAt(file.works, "works", MOST, (item, at) => {
@@ -94,6 +115,8 @@ export function backupOf(text: string): Backup {
     }),
     games: listAt(file.games, "games", MOST, finishedOf),
     progress: progressAt(file.progress),
+    // A file of an older page has no library.
+    library: listAt(file.library ?? [], "library", MOST, entryOf),
   };
 }
 
@@ -109,7 +132,7 @@ function progressAt(data: unknown): Progress {
 /**
  * Adds what is not there yet. Nothing is overwritten: another entry with the same id gets a new one.
  *
- * @returns How many works, games and results are new; null if the browser did not store all of them.
+ * @returns How many works, games, results and entries of the library are new; null if the browser did not store all of them.
  */
 export async function addBackup(kept: Kept, backup: Backup): Promise<number | null> {
   const { storage } = kept.works;
@@ -118,8 +141,9 @@ export async function addBackup(kept: Kept, backup: Backup): Promise<number | nu
   for (const [table, entries] of [
     ["works", backup.works],
     ["games", backup.games],
+    ["library", backup.library],
   ] as const) {
-    for (const entry of entries) {
+    for (const entry of entries as readonly Entries[typeof table][]) {
       const added = await missing(storage, table, entry);
       if (added === null) continue;
       isStored = (await storage.put(table, added)) && isStored;
@@ -127,13 +151,14 @@ export async function addBackup(kept: Kept, backup: Backup): Promise<number | nu
     }
   }
   const before = sizeOf(kept.progress.progress);
-  kept.progress.add(backup.progress);
+  isStored = (await kept.progress.add(backup.progress)) && isStored;
   kept.games.changed();
+  kept.library.changed();
   return isStored ? count + sizeOf(kept.progress.progress) - before : null;
 }
 
 /** The entry under an id that is free; null if it is there already, also under the id of an earlier copy. */
-async function missing<E extends KeptWork | FinishedGame>(
+async function missing<E extends Entries[Exclude<Table, "progress">]>(
   storage: KeptStorage,
   table: Table,
   entry: E,
@@ -148,6 +173,6 @@ async function missing<E extends KeptWork | FinishedGame>(
   return { ...entry, id: freshId() };
 }
 
-function sizeOf({ results, puzzles }: Progress): number {
-  return results.length + puzzles.length;
+function sizeOf({ results, puzzles, attempts, drills }: Progress): number {
+  return results.length + puzzles.length + attempts.length + drills.length;
 }

@@ -14,6 +14,8 @@ const MOST_POINTS = 1_000_000;
 
 export interface FinishedGame {
   readonly format: typeof GAME_FORMAT;
+  /** Name and version of the engine that played it; missing in a game of an older page. */
+  readonly engine?: string;
   readonly id: string;
   /** When it ended: ISO 8601, UTC, with milliseconds. */
   readonly ended: string;
@@ -31,7 +33,9 @@ export interface FinishedGame {
  */
 export function finishedOf(data: unknown, place: string): FinishedGame {
   const keys = ["format", "id", "ended", "game", "winner", "scores"];
-  const { format, id, ended, game, winner, scores } = entriesAt(data, place, keys);
+  const { format, engine, id, ended, game, winner, scores } = entriesAt(data, place, keys, [
+    "engine",
+  ]);
   check(format === GAME_FORMAT, `${place}.format`);
   check(winner === null || winner === 0 || winner === 1, `${place}.winner`);
   check(Array.isArray(scores) && scores.length === 2, `${place}.scores`);
@@ -39,6 +43,7 @@ export function finishedOf(data: unknown, place: string): FinishedGame {
     wholeAt(scores[k], `${place}.scores[${k}]`, -MOST_POINTS, MOST_POINTS);
   return {
     format: GAME_FORMAT,
+    ...(engine !== undefined && { engine: textAt(engine, `${place}.engine`, LONGEST_ID) }),
     id: textAt(id, `${place}.id`, LONGEST_ID),
     ended: timeAt(ended, `${place}.ended`),
     game: gameAt(game, `${place}.game`),

@@ -91,7 +91,9 @@ export class FinishedGames {
     const ended = this.#ended.get(game.setup) ?? new Date().toISOString();
     this.#ended.set(game.setup, ended);
     const id = this.#keeper.idOf(game.setup);
-    const entry = { format: GAME_FORMAT, id, ended, game, winner: request.winner, scores } as const;
+    const { version: engine } = this.#engine;
+    const { winner } = request;
+    const entry = { format: GAME_FORMAT, engine, id, ended, game, winner, scores } as const;
     if (await this.#keeper.storage.put("games", entry)) this.changed();
   }
 

@@ -166,7 +166,10 @@ class KeptList {
   }
 
   async #save(): Promise<void> {
-    download(await backupText(this.#kept), `carom-${dayOf(new Date())}.json`);
+    download(
+      await backupText(this.#kept, this.#context.engine.version),
+      `carom-${dayOf(new Date())}.json`,
+    );
   }
 
   async #add(file: File): Promise<void> {

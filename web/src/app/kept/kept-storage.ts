@@ -1,15 +1,18 @@
 /**
- * The browser's database of what the page keeps: works in progress, and games that have ended. Another tab
- * may write into it at any time; every entry has an id of its own, and a tab writes only to its own works.
+ * The browser's database of what the page keeps: works in progress, games that have ended, the library, and the
+ * progress in drills and puzzles. Another tab may write into it at any time; every entry has an id of its own, and a tab
+ * writes only to its own works.
  */
 
 import { type DBSchema, type IDBPDatabase, openDB } from "idb";
 import type { FinishedGame } from "./finished-game.ts";
 import type { Kind, KeptWork } from "./kept-work.ts";
+import type { ProgressEntry } from "../train/progress/progress-entries.ts";
+import type { LibraryEntry } from "./library-entry.ts";
 
 /** Name and version of the database. */
 const NAME = "carom";
-const VERSION = 1;
+const VERSION = 3;
 
 /** The most works of a kind that are kept; older ones are dropped. */
 export const MOST_WORKS = 10;
@@ -17,12 +20,22 @@ export const MOST_WORKS = 10;
 interface Schema extends DBSchema {
   works: { key: string; value: KeptWork; indexes: { order: [Kind, string] } };
   games: { key: string; value: FinishedGame; indexes: { ended: string } };
+  library: { key: string; value: LibraryEntry };
+  progress: { key: string; value: ProgressEntry };
+}
+
+/** What an entry of each table is. */
+export interface Entries {
+  readonly works: KeptWork;
+  readonly games: FinishedGame;
+  readonly library: LibraryEntry;
+  readonly progress: ProgressEntry;
 }
 
 /** Why nothing is kept: the browser refuses, there is no room, or the database is damaged. */
 export type StorageFault = "refused" | "full" | "damaged";
 
-export type Table = "works" | "games";
+export type Table = keyof Entries;
 
 export class KeptStorage {
   readonly #opening: Promise<IDBPDatabase<Schema> | null>;
@@ -61,23 +74,28 @@ export class KeptStorage {
     }, undefined);
   }
 
+  /** All entries of a table, in the order of their ids. */
+  async all(table: "library" | "progress"): Promise<readonly unknown[]> {
+    return this.#read<readonly unknown[]>((base) => base.getAll(table), []);
+  }
+
   async get(table: Table, id: string): Promise<unknown> {
     return this.#read((base) => base.get(table, id) as Promise<unknown>, undefined);
   }
 
   /**
-   * Stores an entry in the place of the one with its id. It is sent to the browser at once, so that it is
-   * kept when the page is closed in the next moment.
+   * Stores entries in the place of those with their ids, all or none. They are sent to the browser at once, so that they
+   * are kept when the page is closed in the next moment.
    *
-   * @returns Whether it is stored; if not, `fault` has the reason.
+   * @returns Whether they are stored; if not, `fault` has the reason.
    */
-  async put(table: Table, entry: KeptWork | FinishedGame): Promise<boolean> {
+  async put<T extends Table>(table: T, ...entries: readonly Entries[T][]): Promise<boolean> {
     const isStored = await this.#change(async (base) => {
       const transaction = base.transaction(table, "readwrite");
-      const writing = transaction.store.put(entry);
+      const writing = entries.map((entry) => transaction.store.put(entry));
       transaction.commit();
       try {
-        await Promise.all([writing, transaction.done]);
+        await Promise.all([...writing, transaction.done]);
       } catch (error) {
         // The request only says that its transaction was aborted.
         throw transaction.error ?? error;
@@ -87,8 +105,11 @@ export class KeptStorage {
     return isStored;
   }
 
-  async remove(table: Table, id: string): Promise<void> {
-    await this.#change((base) => base.delete(table, id));
+  async remove(table: Table, ...ids: readonly string[]): Promise<void> {
+    await this.#change(async (base) => {
+      const { store, done } = base.transaction(table, "readwrite");
+      await Promise.all([...ids.map((id) => store.delete(id)), done]);
+    });
   }
 
   /** Deletes all but the newest works of a kind, except those with ids in `held`. */
@@ -112,11 +133,15 @@ export class KeptStorage {
     }
     try {
       const base = await openDB<Schema>(NAME, VERSION, {
-        upgrade: (fresh) => {
-          fresh
-            .createObjectStore("works", { keyPath: "id" })
-            .createIndex("order", ["kind", "changed"]);
-          fresh.createObjectStore("games", { keyPath: "id" }).createIndex("ended", "ended");
+        upgrade: (fresh, before) => {
+          if (before < 1) {
+            fresh
+              .createObjectStore("works", { keyPath: "id" })
+              .createIndex("order", ["kind", "changed"]);
+            fresh.createObjectStore("games", { keyPath: "id" }).createIndex("ended", "ended");
+          }
+          if (before < 2) fresh.createObjectStore("library", { keyPath: "id" });
+          fresh.createObjectStore("progress", { keyPath: "id" });
         },
         // A newer page in another tab may change the database.
         blocking: () => this.#close("refused"),

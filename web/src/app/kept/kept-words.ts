@@ -18,7 +18,7 @@ export function workText(engine: Engine, { steps: { steps, at }, practice }: Wor
     if (running.puzzle) return t("puzzle.title");
     const attempts = drillOf(running.drill)?.attempts ?? running.points.length;
     return t("kept.drill", {
-      name: drillName(running.drill),
+      name: running.own?.name ?? drillName({ id: running.drill }),
       done: running.points.length,
       attempts,
     });

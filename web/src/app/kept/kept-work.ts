@@ -3,7 +3,7 @@
 import type { Document } from "../document/document.ts";
 import type { Step, Steps } from "../document/history.ts";
 import type { Setup } from "../document/stored-game.ts";
-import type { KeptPractice } from "../train/practice.ts";
+import type { KeptPractice } from "../train/practice-state.ts";
 import { practiceOf } from "../train/stored-practice.ts";
 import { type KeptDocument, type KeptParts, Packer, PARTS, Unpacker } from "./kept-documents.ts";
 import { check, entriesAt, listAt, textAt, timeAt, wholeAt } from "./kept-fault.ts";

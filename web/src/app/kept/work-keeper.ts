@@ -2,6 +2,7 @@
 
 import { CaromError, type Engine } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
+import { freshId } from "../common/fresh-id.ts";
 import { errorText } from "../common/refusals.ts";
 import type { Slices } from "../common/slices.ts";
 import type { Document } from "../document/document.ts";
@@ -15,7 +16,7 @@ import { t } from "../words/translate.ts";
 import { isEqual, KeptFault } from "./kept-fault.ts";
 import type { KeptStorage } from "./kept-storage.ts";
 import { type Kind, KINDS, packed, unpacked, type Work } from "./kept-work.ts";
-import { claim, freshId, heldWorks } from "./work-locks.ts";
+import { claim, heldWorks } from "./work-locks.ts";
 
 /** Time (ms) without a change after which a work is stored. */
 const REST = 250;
@@ -103,13 +104,14 @@ export class WorkKeeper {
     const held = await heldWorks();
     const works: Work[] = [];
     const damaged: unknown[] = [];
-    const own = [...this.#own.values()].map(({ id }) => id);
+    // This tab may store its first change while the storage is read.
+    const isOwn = (id: string) => [...this.#own.values()].some((own) => own.id === id);
     for (const kind of KINDS) {
       const end = works.length + most;
       await this.storage.eachWork(kind, (data) => {
         const work = this.#read(data);
         if (!work) damaged.push(data);
-        else if (!work.over && !held.has(work.id) && !own.includes(work.id)) works.push(work);
+        else if (!work.over && !held.has(work.id) && !isOwn(work.id)) works.push(work);
         return works.length < end;
       });
     }
@@ -165,6 +167,8 @@ export class WorkKeeper {
   /** What the tab shows; null if nothing of it is worth keeping. */
   #kind(): Kind | null {
     const { document: now, session, undoLabel, redoLabel } = this.#store;
+    // A study is in the library, or in its link.
+    if (session.lesson) return null;
     if (this.#practice.running) return "drill";
     if (now.game || now.study) return "game";
     // The first steps set shots of their own.
@@ -281,7 +285,9 @@ export class WorkKeeper {
 
   /** What a link to a document has, with which the page was loaded again. */
   #link(document: Document): LinkState | null {
-    return stateFromFragment(stateToFragment(document.shot, { ...this.#store.state, document }));
+    const { view, session } = this.#store.state;
+    const state = { document, view, session: { ...session, lesson: null } };
+    return stateFromFragment(stateToFragment(document.shot, state));
   }
 }
 

@@ -5,7 +5,7 @@ import { h, setText, uniqueId } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { momentsOf, seek } from "./replay-control.ts";
 import { mark } from "./event-looks.ts";
-import { latest } from "./event-moments.ts";
+import { latest, representatives } from "./event-moments.ts";
 import type { Show } from "./replay-state.ts";
 import { ballName } from "../common/shot-words.ts";
 import { tracedEvent } from "./carom-touches.ts";
@@ -26,11 +26,17 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
   let named = store.session.orientation;
   let filter: string | null = null;
   let current: readonly number[] = [];
+  let shownBy: readonly number[] = [];
   only.addEventListener("change", () => store.setSession({})); // notifies all listeners
 
   const fill = (trace: Trace): void => {
     setText(heading, t("events.count", { count: trace.events.length }));
-    body.replaceChildren(...trace.events.map((event) => rowOf(store, trace, event)));
+    shownBy = representatives(trace.events);
+    const counts = new Map<number, number>();
+    for (const by of shownBy) counts.set(by, (counts.get(by) ?? 0) + 1);
+    body.replaceChildren(
+      ...trace.events.map((event, i) => rowOf(store, trace, event, counts.get(i) ?? 1)),
+    );
     current = [];
   };
 
@@ -44,12 +50,13 @@ export function mountEvents(root: HTMLElement, store: Store): Show {
     const rows = body.rows;
     if (!isSame || wanted !== filter) {
       trace.events.forEach(({ balls }, i) => {
-        rows[i]!.hidden = wanted !== null && !balls.includes(wanted);
+        rows[i]!.hidden = shownBy[i] !== i || (wanted !== null && !balls.includes(wanted));
       });
     }
     [shown, filter, named] = [trace, wanted, orientation];
-    const now = latest(momentsOf(trace), time)?.events ?? [];
-    if (now === current) return;
+    const moment = latest(momentsOf(trace), time)?.events ?? [];
+    const now = moment.map((index) => shownBy[index]!);
+    if (now.join() === current.join()) return;
     for (const index of current) rows[index]!.removeAttribute("aria-current");
     for (const index of now) rows[index]!.setAttribute("aria-current", "step");
     current = now;
@@ -65,10 +72,12 @@ function head(): HTMLElement {
   return h("thead", {}, h("tr", {}, time, event));
 }
 
-/** The row of an event; a press goes to its time. */
-function rowOf(store: Store, trace: Trace, event: TraceEvent): HTMLElement {
+/** The row of `count` equal events, of which `event` is the first; a press goes to its time. */
+function rowOf(store: Store, trace: Trace, event: TraceEvent, count: number): HTMLElement {
   const onclick = () => seek(store, event.time);
-  const words = h("button", { type: "button", class: "go", onclick }, tracedEvent(trace, event));
+  const once = tracedEvent(trace, event);
+  const said = count > 1 ? t("event.times", { event: once, count }) : once;
+  const words = h("button", { type: "button", class: "go", onclick }, said);
   const kind = h("span", { class: "kind", title: t(`kind.${event.type}`) }, mark(event.type));
   const time = h("td", { class: "time" }, decimal(event.time, 3));
   return h("tr", {}, time, h("td", {}, h("div", { class: "event" }, kind, words)));

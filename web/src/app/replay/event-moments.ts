@@ -10,6 +10,23 @@ export interface Moment {
   events: number[];
 }
 
+/**
+ * The event that stands for each one in a list: a ball that hops to rest lands a dozen times, one after another,
+ * and its first landing stands for all of them.
+ */
+export function representatives(events: readonly TraceEvent[]): readonly number[] {
+  /** By ball, the first of the landings since its last other event. */
+  const landings = new Map<string, number>();
+  return events.map(({ type, balls }, index) => {
+    const [ball = ""] = balls;
+    const first = type === "slate-collision" ? landings.get(ball) : undefined;
+    if (first !== undefined) return first;
+    for (const each of balls) landings.delete(each);
+    if (type === "slate-collision") landings.set(ball, index);
+    return index;
+  });
+}
+
 /** Groups the events of a trace, which are in the order of time, into moments. */
 export function moments(events: readonly TraceEvent[]): Moment[] {
   const found: Moment[] = [];

@@ -1,7 +1,6 @@
 /** Actions on a replay, shared by buttons and keys. */
 
 import { STROKE } from "./replay-clock.ts";
-import type { Session } from "../document/document.ts";
 import type { Store } from "../document/store.ts";
 import { type Moment, moments, next, previous } from "./event-moments.ts";
 import type { Trace } from "../../engine/index.ts";
@@ -14,16 +13,6 @@ export function momentsOf(trace: Trace | null): readonly Moment[] {
   let list = found.get(trace);
   if (!list) found.set(trace, (list = moments(trace.events)));
   return list;
-}
-
-/** Whether the replay runs and only its time has changed. */
-export function playsOn(now: Session, before: Session): boolean {
-  return (
-    now.replay.playing &&
-    before.replay.playing &&
-    now.replay.trace === before.replay.trace &&
-    now.selected === before.selected
-  );
 }
 
 /** Pauses at a time (s), clamped to the shot's duration. */

@@ -6,7 +6,7 @@ import { h, setText, uniqueId } from "../common/dom.ts";
 import { soundButton } from "./replay-sound.ts";
 import type { Store } from "../document/store.ts";
 import { Pace } from "./replay-clock.ts";
-import { playsOn } from "./replay-control.ts";
+import { playsOn } from "../document/plays-on.ts";
 import { mountEvents } from "./event-list.ts";
 import { mountPlots } from "./ball-plots.ts";
 import { length } from "./ball-samples.ts";
@@ -14,7 +14,8 @@ import type { Show } from "./replay-state.ts";
 import { MOTION, POSITION, SPIN, VELOCITY } from "../../viewer/viewer-types.ts";
 import { rpm } from "./replay-words.ts";
 import { round, TIP } from "../common/units.ts";
-import { decimal, t } from "../words/translate.ts";
+import { ballName } from "../common/shot-words.ts";
+import { capital, decimal, t } from "../words/translate.ts";
 
 /** Moment of inertia of a solid ball over mass × radius². */
 const INERTIA = 2 / 5;
@@ -47,7 +48,9 @@ export function mountState(root: HTMLElement, store: Store): void {
     if (playsOn(session, before) && !pace.due()) return;
     const { balls } = trace.shot;
     if (trace !== before.replay.trace) {
-      ball.replaceChildren(...balls.map(({ id }) => h("option", { value: id }, id)));
+      ball.replaceChildren(
+        ...balls.map(({ id }) => h("option", { value: id }, capital(ballName(id)))),
+      );
       setText(hash, trace.hash);
     }
     const index = selectedBall(trace, session.selected);

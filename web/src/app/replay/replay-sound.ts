@@ -28,8 +28,9 @@ export function mountSound(store: Store): void {
   store.subscribe(({ session }, { session: { replay: before } }) => {
     const { trace, playing, sound, stroke, time, rate } = session.replay;
     if (playing && sound && trace) {
-      // The click that shoots or plays is a gesture, within which browsers allow sound.
-      if (!before.playing || !before.sound) speaker.wake();
+      // The click that shoots or plays is a gesture, soon after which browsers allow sound. In a task of its
+      // own: the first time takes tens of milliseconds.
+      if (!before.playing || !before.sound) setTimeout(() => speaker.wake());
       if (stroke === 0) speaker.follow(trace, { time, rate });
     } else if (before.playing && before.sound) {
       speaker.silence();

@@ -4,13 +4,13 @@ import "./timeline.css";
 import type { Trace, TraceEvent } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import type { Session } from "../document/document.ts";
+import { playsOn } from "../document/plays-on.ts";
 import { h, icon, setText, shortened, svg } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { advance, LONGEST_FRAME, Pace, RATES } from "./replay-clock.ts";
 import {
   leave,
   momentsOf,
-  playsOn,
   seek,
   stepBackwards,
   stepForwards,

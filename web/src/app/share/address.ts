@@ -5,6 +5,8 @@ import type { Context } from "../common/context.ts";
 import { detailedText, PageError } from "../common/refusals.ts";
 import type { Slices } from "../common/slices.ts";
 import type { Document, View } from "../document/document.ts";
+import { positionOf } from "../document/lesson.ts";
+import type { Lesson } from "../document/open-study.ts";
 import { splitFilm } from "../document/filmed.ts";
 import { aimed, ballsOf } from "../document/shot-file.ts";
 import { treeEngine } from "../document/balls-after.ts";
@@ -18,7 +20,13 @@ import { standing } from "../game/awaited-turn.ts";
 import { referee } from "../game/referee.ts";
 import { replay } from "../replay/replay-control.ts";
 import { LinkError } from "./link.ts";
-import { type LinkState, stateFromFragment, stateToFragment } from "./link-state.ts";
+import {
+  type LinkLesson,
+  type LinkState,
+  stateFromFragment,
+  stateToFragment,
+} from "./link-state.ts";
+import { toJson } from "./literal.ts";
 import { t } from "../words/translate.ts";
 
 /**
@@ -33,6 +41,8 @@ export interface LinkContents {
   readonly view: View;
   /** Time of the replay (s) that the link shows; null if it shows none. */
   readonly time: number | null;
+  /** The study that is open; null: none. */
+  readonly lesson: Lesson | null;
 }
 
 /**
@@ -64,6 +74,7 @@ export function* readLink(engine: Engine, fragment: string): Slices<LinkContents
 /** @throws CaromError if the engine or the referee refuses a part of the state. */
 function* checked(engine: Engine, state: LinkState): Slices<LinkContents> {
   const { shot, noise, seed, game, view, time } = state;
+  if (state.lesson) return ofLesson(engine, state.lesson, view);
   engine.shot(shot).free();
   function* treeOf(text: string | null): Slices<Tree | undefined> {
     return text === null ? undefined : yield* treeReading(text, treeEngine(engine));
@@ -83,7 +94,16 @@ function* checked(engine: Engine, state: LinkState): Slices<LinkContents> {
       : undefined,
   };
   yield* checkDocument(engine, document);
-  return { document, view, time };
+  return { document, view, time, lesson: null };
+}
+
+/** @throws CaromError if the study is damaged. */
+function ofLesson(engine: Engine, { study: data, chapter: index, id }: LinkLesson, view: View) {
+  const study = engine.study(toJson(data));
+  const chapter = Math.min(index, study.chapters.length - 1);
+  const position = positionOf(study.chapters[chapter]!, treeEngine(engine).endOf);
+  const document = { ...position, noise: null, seed: 0, game: null };
+  return { document, view, time: null, lesson: { study, chapter, id } };
 }
 
 /**
@@ -165,7 +185,10 @@ function fragment(engine: Engine, shot: Shot, state: State): string {
       tree: ofTree(study.tree),
     },
   };
-  return stateToFragment(engine.withDatedNames(shot.file), { ...state, document });
+  const { lesson } = state.session;
+  // The id names the study in the library of this browser alone.
+  const session = { ...state.session, lesson: lesson && { ...lesson, id: null } };
+  return stateToFragment(engine.withDatedNames(shot.file), { ...state, document, session });
 }
 
 function datedSetup(engine: Engine, setup: Setup): Setup {
@@ -196,7 +219,8 @@ export function mountAddress(store: Store, context: Context): () => void {
     }
   };
   store.subscribe((now, before) => {
-    if (now.document === before.document && now.view === before.view) return;
+    const isSame = now.document === before.document && now.view === before.view;
+    if (isSame && now.session.lesson === before.session.lesson) return;
     clearTimeout(resting);
     resting = setTimeout(write, REST);
   });
@@ -224,9 +248,11 @@ export async function openText(store: Store, context: Context, link: string): Pr
 }
 
 /** Opens a link in the page as it stands, so that undo returns to the previous document. */
-function openLink(store: Store, context: Context, { document, view, time }: LinkContents): void {
+function openLink(store: Store, context: Context, contents: LinkContents): void {
+  const { document, view, time, lesson } = contents;
   if (!store.apply(document, t("change.open-link"))) return;
   store.setView(view);
+  store.setSession({ lesson, ...(lesson && { activity: "library" }) });
   showTime(store, context.engine, time);
   context.announce(t("open.link-opened"));
 }

@@ -6,7 +6,9 @@ import { FIRST_VIEW, type View } from "../document/document.ts";
 import { type Game, GUIDES, LONGEST_NAME } from "../document/stored-game.ts";
 import type { State } from "../document/store.ts";
 import { LONGEST_RACE } from "../game/match/race.ts";
-import { fromFragment, isLink, LinkError, toFragment } from "./link.ts";
+import { fromFragment, isLink, isTooLong, LinkError, toFragment } from "./link.ts";
+import { MOST_CHAPTERS } from "../document/lesson.ts";
+import type { Lesson } from "../document/open-study.ts";
 import type { Tree } from "../document/shot-tree.ts";
 import { treeToText } from "../document/tree-text.ts";
 import { refusalText } from "../common/refusals.ts";
@@ -22,6 +24,8 @@ export interface LinkState {
   readonly tree: string | null;
   /** The shot of a game that is analysed; null: none. */
   readonly study: LinkStudy | null;
+  /** The study in chapters that is open; its shots take the place of all the others. */
+  readonly lesson: LinkLesson | null;
   readonly view: View;
   /** Time of the replay (s); null while aiming. */
   readonly time: number | null;
@@ -33,6 +37,13 @@ export interface LinkStudy {
   readonly move: number;
   readonly shot: ShotFile;
   readonly tree: string | null;
+}
+
+/** A study that the engine has not checked, and the chapter that is shown. */
+export interface LinkLesson {
+  readonly study: unknown;
+  readonly chapter: number;
+  readonly id: string | null;
 }
 
 /** The settings of a view; a link leaves out the first choice of each. */
@@ -60,6 +71,9 @@ const STRIKE = ["speed", "azimuth", "elevation", "side", "height"] as const;
 /** Kinds of calls, as the engine has them. */
 const CALLS: readonly unknown[] = ["pocket", "on", "safety", "push-out"];
 
+/** The longest text of a study, in characters, for which a link is tried: it would be too long. */
+const LONGEST_STUDY = 500_000;
+
 /** The most moves of a game that a link may have: the page replays them all when it opens. */
 const MOST_MOVES = 2000;
 
@@ -69,20 +83,36 @@ const MOST_MOVES = 2000;
  * @param shot The shot as the engine has it, which may differ from the document's by a rounding.
  */
 export function stateToFragment(shot: ShotFile, { document, view, session }: State): string {
+  return (
+    lessonToFragment(session.lesson, view) ??
+    toFragment({
+      shot,
+      ...(document.noise && { noise: document.noise }),
+      ...(document.seed !== 0 && { seed: document.seed }),
+      ...(document.game && { game: document.game }),
+      ...treeText(document.tree),
+      ...(document.study && {
+        study: { ...document.study, tree: null, ...treeText(document.study.tree) },
+      }),
+      ...viewPart(view),
+      ...(session.mode === "replay" && { time: session.replay.time }),
+    })
+  );
+}
+
+/** The fragment for an open study; null without one, and if it is too long for a link. */
+export function lessonToFragment(lesson: Lesson | null, view: View): string | null {
+  if (!lesson || JSON.stringify(lesson.study).length > LONGEST_STUDY) return null;
+  const fragment = toFragment({ lesson, ...viewPart(view) });
+  return isTooLong(fragment) ? null : fragment;
+}
+
+/** The settings of a view that are not the first ones. */
+function viewPart(view: View): { readonly view?: Partial<View> } {
   const keys = Object.keys(CHOICES) as (keyof View)[];
   const changed = keys.filter((key) => view[key] !== FIRST_VIEW[key]);
-  return toFragment({
-    shot,
-    ...(document.noise && { noise: document.noise }),
-    ...(document.seed !== 0 && { seed: document.seed }),
-    ...(document.game && { game: document.game }),
-    ...treeText(document.tree),
-    ...(document.study && {
-      study: { ...document.study, tree: null, ...treeText(document.study.tree) },
-    }),
-    ...(changed.length > 0 && { view: Object.fromEntries(changed.map((key) => [key, view[key]])) }),
-    ...(session.mode === "replay" && { time: session.replay.time }),
-  });
+  if (changed.length === 0) return {};
+  return { view: Object.fromEntries(changed.map((key) => [key, view[key]])) };
 }
 
 function treeText(tree: Tree | undefined): { readonly tree?: string } {
@@ -97,14 +127,18 @@ function treeText(tree: Tree | undefined): { readonly tree?: string } {
 export function stateFromFragment(fragment: string): LinkState | null {
   if (!isLink(fragment)) return null;
   const data = fromFragment(fragment);
-  if (!isRecord(data) || !isRecord(data.shot)) throw new LinkError(t("link.no-shot"));
+  const lesson = isRecord(data) ? lessonOf(data.lesson) : null;
+  if (!isRecord(data) || !(lesson || isRecord(data.shot))) {
+    throw new LinkError(t("link.no-shot"));
+  }
   return {
-    shot: data.shot as unknown as ShotFile,
+    shot: lesson ? NO_SHOT : (data.shot as ShotFile),
     noise: noiseOf(data.noise),
     seed: seedOf(data.seed),
     game: gameOf(data.game),
     tree: treeOf(data.tree),
     study: studyOf(data.study),
+    lesson,
     view: viewOf(data.view),
     time: timeOf(data.time),
   };
@@ -163,6 +197,19 @@ function studyOf(data: unknown): LinkStudy | null {
     }
   }
   throw new LinkError(t("link.game"));
+}
+
+const NO_SHOT: ShotFile = { format: "carom-shot/1", table: "", balls: [] };
+
+function lessonOf(data: unknown): LinkLesson | null {
+  if (data === undefined) return null;
+  if (isRecord(data) && isWhole(data.chapter, 0, MOST_CHAPTERS - 1)) {
+    const { study, chapter, id = null } = data;
+    if (isRecord(study) && (id === null || isText(id))) {
+      return { study, chapter: chapter as number, id };
+    }
+  }
+  throw broken("lesson", data, "write a study and the number of a chapter");
 }
 
 function isVariations(data: unknown, moves: number): boolean {

@@ -15,6 +15,9 @@ export class LinkError extends Error {
 
 const KEY = "#s=";
 
+/** Of a link to a drill. */
+export const DRILL_KEY = "#d=";
+
 /** The version of links that this page writes and reads. */
 const VERSION = "1";
 
@@ -47,8 +50,13 @@ export function linkIn(text: string): string | null {
 }
 
 /** The fragment, with its `#`, for plain data. */
-export function toFragment(data: unknown): string {
-  return `${KEY}${VERSION}.${toBase64Url(zlibSync(strToU8(toJson(data)), { level: 9 }))}`;
+export function toFragment(data: unknown, key = KEY): string {
+  return `${key}${VERSION}.${toBase64Url(zlibSync(strToU8(toJson(data)), { level: 9 }))}`;
+}
+
+/** Whether a fragment is longer than those that are read. */
+export function isTooLong(fragment: string): boolean {
+  return fragment.length > LONGEST + KEY.length + VERSION.length + 1;
 }
 
 /**
@@ -56,13 +64,13 @@ export function toFragment(data: unknown): string {
  *
  * @throws {LinkError} The link is of another version, or damaged.
  */
-export function fromFragment(fragment: string): unknown {
-  const [version, text = ""] = fragment.slice(KEY.length).split(".", 2);
-  if (!isLink(fragment) || !version) throw new LinkError(t("link.no-shot"));
+export function fromFragment(fragment: string, key = KEY): unknown {
+  const [version, text = ""] = fragment.slice(key.length).split(".", 2);
+  if (!fragment.startsWith(key) || !version) throw new LinkError(t("link.no-shot"));
   if (version !== VERSION) {
     throw new LinkError(t("link.version", { version, own: VERSION }));
   }
-  if (text.length > LONGEST) throw new LinkError(t("link.too-long"));
+  if (isTooLong(fragment)) throw new LinkError(t("link.too-long"));
   try {
     return JSON.parse(strFromU8(unpack(fromBase64Url(text)))) as unknown;
   } catch (cause) {

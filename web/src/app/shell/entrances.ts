@@ -1,4 +1,4 @@
-/** The three entrances of the page: analyse, play, train. */
+/** The entrances of the page: analyse, play, train, library. */
 
 import { h } from "../common/dom.ts";
 import type { Activity } from "../document/document.ts";
@@ -6,7 +6,7 @@ import type { Store } from "../document/store.ts";
 import { t } from "../words/translate.ts";
 import { mountChoice } from "../common/choice-row.ts";
 
-const ACTIVITIES: readonly Activity[] = ["analyse", "play", "train"];
+const ACTIVITIES: readonly Activity[] = ["analyse", "play", "train", "library"];
 
 export function mountEntrances(root: HTMLElement, store: Store): void {
   const buttons = ACTIVITIES.map((name) => ({

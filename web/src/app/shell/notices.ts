@@ -18,12 +18,21 @@ export function mountNotices(root: HTMLElement): (sentence: string) => void {
   };
 }
 
-/** A refusal stays until the next change that is accepted. */
-export function mountRefusal(root: HTMLElement, store: Store): void {
+/**
+ * A refusal stays until the next change that is accepted.
+ *
+ * @param announce Shows a notice. An earlier one goes, so that it does not stand beside the refusal.
+ */
+export function mountRefusal(
+  root: HTMLElement,
+  store: Store,
+  announce: (sentence: string) => void,
+): void {
   const show = () => {
     const message = store.session.refusal?.message ?? "";
     root.hidden = message === "";
     setText(root, message);
+    if (message !== "") announce("");
   };
   store.subscribe((now, before) => {
     if (now.session.refusal !== before.session.refusal) show();

@@ -4,7 +4,16 @@ import type { Activity, Document, Session } from "../document/document.ts";
 
 export interface Tab {
   readonly name:
-    "state" | "aim" | "lines" | "tree" | "layout" | "physics" | "game" | "whatif" | "train";
+    | "state"
+    | "aim"
+    | "lines"
+    | "tree"
+    | "layout"
+    | "physics"
+    | "game"
+    | "whatif"
+    | "train"
+    | "library";
   /** The activities that have this tab. */
   readonly of: readonly Activity[];
   /** Shown only during a replay. */
@@ -16,10 +25,11 @@ export interface Tab {
 }
 
 export const TABS: readonly Tab[] = [
-  { name: "state", of: ["analyse", "play", "train"], replay: true },
+  { name: "state", of: ["analyse", "play", "train", "library"], replay: true },
   { name: "game", of: ["play"] },
   { name: "train", of: ["train"] },
-  { name: "aim", of: ["analyse", "play", "train"] },
+  { name: "library", of: ["library"] },
+  { name: "aim", of: ["analyse", "play", "train", "library"] },
   { name: "lines", of: ["analyse"], aim: true },
   { name: "tree", of: ["analyse"], free: true, aim: true },
   { name: "layout", of: ["analyse"], free: true },
@@ -32,6 +42,7 @@ const FIRST: Readonly<Record<Activity, Tab["name"]>> = {
   analyse: "aim",
   play: "game",
   train: "train",
+  library: "library",
 };
 
 /** Index of the tab that a key leads to. */
@@ -98,7 +109,9 @@ export function tabsAfter(
   if (mode !== before.session.mode) {
     if (mode === "replay") {
       earlier = { tab, isFolded };
-      [tab, isFolded] = ["state", isFolded || isSheet];
+      // The text of a lesson goes on beside its replay.
+      if (activity !== "library") tab = "state";
+      isFolded ||= isSheet;
     } else {
       if (tab === "state") ({ tab } = earlier);
       ({ isFolded } = earlier);

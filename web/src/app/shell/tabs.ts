@@ -2,6 +2,7 @@
 
 import { mountHandle, sideButton, FOLDED } from "./fold-controls.ts";
 import { h } from "../common/dom.ts";
+import { SHOWN } from "../common/shown.ts";
 import type { State, Store } from "../document/store.ts";
 import { t } from "../words/translate.ts";
 import { isPresent, type Shown, type Tab, tabOfKey, TABS, tabsAfter } from "./tab-state.ts";
@@ -11,15 +12,6 @@ const SHEET = "(max-width: 760px) and (min-height: 480px), (max-width: 639px)";
 
 /** Screens whose table needs the room of the panel: sheets, and low windows. */
 const CROWDED = `${SHEET}, (max-height: 479px)`;
-
-/** Dispatched on a tab's panel whenever it may have become visible. */
-const SHOWN = "carom:shown";
-
-/** Mounts the content of a tab's panel when it is first shown. Most panels are not at the start. */
-export function whenShown(panel: HTMLElement, mount: (panel: HTMLElement) => void): void {
-  if (panel.hidden) panel.addEventListener(SHOWN, () => mount(panel), { once: true });
-  else mount(panel);
-}
 
 /** @returns A function that shows the tab with this name. */
 export function mountTabs(root: HTMLElement, store: Store): (name: Tab["name"]) => void {

@@ -125,6 +125,13 @@ function shape(region: Region, name: string): Mark {
     const { left: x, top: y, right, bottom } = boxOf(region);
     return ["rect", { class: name, x, y, width: right - x, height: bottom - y }];
   }
+  if (region.kind === "outline") {
+    const corners = region.corners.map((corner) => middle(corner));
+    return [
+      "path",
+      { class: name, d: `M${corners.map(({ cx, cy }) => `${cx} ${cy}`).join("L")}Z` },
+    ];
+  }
   const { cx, cy } = middle(region.center);
   const r = 1000 * region.radius;
   return ["path", { class: name, d: `M${cx} ${cy - r}A${r} ${r} 0 0 0 ${cx} ${cy + r}Z` }];
@@ -133,6 +140,14 @@ function shape(region: Region, name: string): Mark {
 /** The line around an area. */
 function outlineOf(region: Region): readonly Obstacle[] {
   if (region.kind === "box") return edgesOf(boxOf(region), AREA_LINE);
+  if (region.kind === "outline") {
+    return region.corners.map((corner, k) => {
+      const [a, b] = [middle(corner), middle(region.corners.at(k - 1)!)];
+      const [left, right] = [Math.min(a.cx, b.cx), Math.max(a.cx, b.cx)];
+      const [top, bottom] = [Math.min(a.cy, b.cy), Math.max(a.cy, b.cy)];
+      return { kind: "box", box: { left, top, right, bottom }, stroke: AREA_LINE };
+    });
+  }
   // A half disc counts as a whole one.
   const r = 1000 * region.radius;
   return [{ kind: "rim", ...middle(region.center), r, stroke: AREA_LINE }];
@@ -204,6 +219,14 @@ function placesIn(region: Region): readonly Point[] {
     const x = right - INSET;
     const room = bottom - top - 2 * INSET;
     return Array.from({ length: DIRECTIONS }, (_, k) => [x, top + INSET + (room * k) / DIRECTIONS]);
+  }
+  if (region.kind === "outline") {
+    // Between each corner and the middle of all.
+    const corners = region.corners.map((corner) => middle(corner));
+    const mean = (of: (corner: (typeof corners)[number]) => number) =>
+      corners.reduce((sum, corner) => sum + of(corner), 0) / corners.length;
+    const [x, y] = [mean(({ cx }) => cx), mean(({ cy }) => cy)];
+    return [[x, y], ...corners.map(({ cx, cy }): Point => [(cx + x) / 2, (cy + y) / 2])];
   }
   const { cx, cy } = middle(region.center);
   return turned((x, y) => {

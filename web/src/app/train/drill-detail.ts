@@ -6,6 +6,8 @@ import { t } from "../words/translate.ts";
 import { historyCurve, levelCurve } from "./score-curves.ts";
 import { diagram } from "./drill-diagram.ts";
 import type { Drill } from "./drills/index.ts";
+import { levelScores } from "./drill-levels.ts";
+import { drillActions } from "./own/own-drills.ts";
 import { button, heading, type Trainer } from "./train-parts.ts";
 import { bestOf, resultsOf } from "./progress/practice-progress.ts";
 import { total } from "./drill-score.ts";
@@ -20,7 +22,7 @@ let chosen: string | null = "club";
 export function mountDetail(root: HTMLElement, trainer: Trainer, drill: Drill): void {
   const { context, practice, go } = trainer;
   const setting = { drill, step: drill.steps[0]!, attempt: 0 };
-  const name = drillName(drill.id);
+  const name = drillName(drill);
   const source = sourceText(drill);
   root.append(
     h(
@@ -39,6 +41,7 @@ export function mountDetail(root: HTMLElement, trainer: Trainer, drill: Drill): 
       button("play-drill", t("train.play"), () => practice.start(drill, chosen), true),
       button("table-drill", t("train.at-table"), () => practice.startAtTable(drill)),
     ),
+    drillActions(trainer, drill),
     ...scoresOf(trainer, drill),
   );
 }
@@ -48,10 +51,14 @@ export function scoresOf({ keeper }: Trainer, drill: Drill): HTMLElement[] {
   const best = bestOf(keeper.progress, drill.id);
   const scores = resultsOf(keeper.progress, drill.id).map(({ points }) => total(points));
   return [
-    h("h2", {}, t("train.levels")),
-    levelCurve(drill, best),
+    ...(levelScores(drill).length === 0
+      ? []
+      : [
+          h("h2", {}, t("train.levels")),
+          levelCurve(drill, best),
+          h("p", { class: "hint" }, t("train.levels-hint")),
+        ]),
     ...(best === null ? [] : [h("p", { class: "hint yours" }, t("train.yours", { score: best }))]),
-    h("p", { class: "hint" }, t("train.levels-hint")),
     ...(best === null
       ? []
       : [

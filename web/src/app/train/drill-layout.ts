@@ -5,7 +5,7 @@ import { azimuthTo, round4 } from "../common/angles.ts";
 import type { AimedShot } from "../document/document.ts";
 import { aimed } from "../document/shot-file.ts";
 import type { Drill, Step } from "./drills/index.ts";
-import { clothOf, distanceTo, pointOf, regionOf } from "./drill-places.ts";
+import { areaInMetres, clothOf, pointOf } from "./drill-places.ts";
 
 /** A step with its drill, ready to be set up. */
 export interface Setting {
@@ -72,5 +72,5 @@ export function deviation(
 }
 
 function inHand(engine: Engine, { table }: Drill, { hand, balls }: Step, at: Point): boolean {
-  return distanceTo(regionOf(clothOf(engine, table), hand!, balls), at) === 0;
+  return engine.areaDistance(areaInMetres(clothOf(engine, table), hand!, balls), table, at) === 0;
 }

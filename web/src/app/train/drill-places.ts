@@ -1,8 +1,7 @@
 /** Places and areas of drills, in metres on a table. */
 
-import type { Engine, Geometry, Point } from "../../engine/index.ts";
+import type { Engine, Geometry, Goal, GoalArea, GoalOf, Point } from "../../engine/index.ts";
 import { toRadians } from "../common/angles.ts";
-import { length } from "../common/length.ts";
 import type { Area, Diamonds, Place, Step } from "./drills/index.ts";
 
 /** What places are computed from. */
@@ -70,6 +69,7 @@ function metres({ diamond }: Cloth, [x, y]: Diamonds): Point {
 export type Region =
   | { readonly kind: "disc"; readonly center: Point; readonly radius: number }
   | { readonly kind: "box"; readonly from: Point; readonly to: Point }
+  | { readonly kind: "outline"; readonly corners: readonly Point[] }
   /** The half of a disc below its diameter. */
   | { readonly kind: "half-disc"; readonly center: Point; readonly radius: number };
 
@@ -80,17 +80,40 @@ export function regionOf(cloth: Cloth, area: Area, balls: Step["balls"]): Region
   }
   if ("from" in area)
     return { kind: "box", from: metres(cloth, area.from), to: metres(cloth, area.to) };
+  if ("outline" in area)
+    return { kind: "outline", corners: area.outline.map((corner) => metres(cloth, corner)) };
   const { head_string: line, d_radius: radius } = cloth.geometry.markings!;
   return { kind: "half-disc", center: [cloth.size[0] / 2, line!], radius: radius! };
 }
 
-/** How far a point is outside a region, m; 0 inside. */
-export function distanceTo(region: Region, [x, y]: Point): number {
-  if (region.kind === "box") {
-    const { from, to } = region;
-    return length(Math.max(from[0] - x, 0, x - to[0]), Math.max(from[1] - y, 0, y - to[1]));
+/** The goal of a step with its areas in metres, as the engine judges it. */
+export function goalInMetres(cloth: Cloth, { goal, balls }: Step): Goal {
+  return withAreas(goal, (area) => areaInMetres(cloth, area, balls));
+}
+
+/** A goal with its areas in another form. */
+export function withAreas<A, B>(goal: GoalOf<A>, convert: (area: A) => B): GoalOf<B> {
+  if (goal.kind === "run") return goal;
+  const { zones, needs, ...rest } = goal;
+  return {
+    ...rest,
+    needs: needs.map((need) =>
+      need.kind === "stop" ? { ...need, area: convert(need.area) } : need,
+    ),
+    ...(zones && { zones: zones.map(({ area, points }) => ({ area: convert(area), points })) }),
+  };
+}
+
+export function areaInMetres(cloth: Cloth, area: Area, balls: Step["balls"]): GoalArea {
+  const region = regionOf(cloth, area, balls);
+  switch (region.kind) {
+    case "disc":
+      return { center: region.center, radius: region.radius };
+    case "box":
+      return { from: region.from, to: region.to };
+    case "outline":
+      return { outline: region.corners };
+    case "half-disc":
+      return { marking: "d" };
   }
-  const [cx, cy] = region.center;
-  const outside = Math.max(length(x - cx, y - cy) - region.radius, 0);
-  return region.kind === "disc" ? outside : Math.max(outside, y - cy);
 }

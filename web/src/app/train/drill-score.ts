@@ -15,9 +15,17 @@ function stepOf({ steps }: Drill, step: number, made: boolean): number {
   return made ? Math.min(step + 1, steps.length - 1) : Math.max(step - 1, 0);
 }
 
-/** Points that the score counts for an attempt at a step: a ladder counts the step's number. */
-export function counted({ order }: Drill, step: number, points: number): number {
-  return order === "ladder" && points > 0 ? step + 1 : points;
+/** Points that the score counts for an attempt at a step: a ladder without points counts the step's number. */
+export function counted({ order, steps }: Drill, step: number, points: number): number {
+  const { goal } = steps[step]!;
+  const counts = order === "ladder" && goal.kind === "shot" && goal.points === undefined;
+  return counts && !goal.zones && points > 0 ? step + 1 : points;
+}
+
+/** Whether a drill ends after attempts with these points. */
+export function isOver({ attempts, misses }: Drill, points: readonly number[]): boolean {
+  const missed = points.filter((gained) => gained === 0).length;
+  return points.length >= attempts || (misses !== undefined && missed >= misses);
 }
 
 export function total(points: readonly number[]): number {

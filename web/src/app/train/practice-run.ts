@@ -8,9 +8,10 @@ import { diagram } from "./drill-diagram.ts";
 import { mostPoints } from "./drill-judge.ts";
 import { nearestLevel } from "./drill-levels.ts";
 import { button, heading, type Trainer } from "./train-parts.ts";
-import type { Running } from "./practice.ts";
+import type { Running } from "./practice-state.ts";
 import { greatest, total } from "./drill-score.ts";
-import { drillName, goalText, puzzleText, scoreText } from "./train-words.ts";
+import { mountPuzzleRun } from "./puzzle-run.ts";
+import { drillName, goalText, scoreText } from "./train-words.ts";
 
 /** Size of the balls over their size on the table. */
 const ENLARGED = 1.4;
@@ -18,12 +19,16 @@ const ENLARGED = 1.4;
 export function mountRun(root: HTMLElement, trainer: Trainer, running: Running): void {
   const { practice, go } = trainer;
   const { drill, puzzle } = running;
-  root.append(heading(puzzle ? t("puzzle.title") : drillName(drill.id)));
+  if (puzzle) {
+    mountPuzzleRun(root, trainer, { ...running, puzzle });
+    return;
+  }
+  root.append(heading(drillName(drill)));
   const leave = button("leave-drill", t("train.leave"), () => {
     practice.leave();
-    go(puzzle ? { kind: "overview" } : { kind: "drill", drill });
+    go({ kind: "drill", drill });
   });
-  if (running.result || running.solved) mountEnd(root, trainer, running, leave);
+  if (running.result) mountEnd(root, trainer, running, leave);
   else mountAttempt(root, trainer, running, leave);
 }
 
@@ -34,12 +39,12 @@ function mountAttempt(
   leave: HTMLElement,
 ): void {
   const setting = practice.setting!;
-  const { drill, puzzle, place } = running;
-  const label = t("train.diagram", { name: drillName(drill.id) });
+  const { drill, place } = running;
+  const label = t("train.diagram", { name: drillName(drill) });
   const deviation = practice.deviation;
   root.append(
-    h("p", {}, puzzle ? puzzleText(puzzle) : goalText(setting)),
-    ...(puzzle ? [] : [attempts(running)]),
+    h("p", {}, goalText(setting)),
+    attempts(running),
     h("p", { role: "status" }, scoreText(running)),
   );
   if (place === "table") {
@@ -104,15 +109,6 @@ function attempts({ drill, points }: Running): HTMLElement {
 function mountEnd(root: HTMLElement, trainer: Trainer, running: Running, leave: HTMLElement): void {
   const { practice } = trainer;
   const { drill, points, said, errors, place } = running;
-  if (running.puzzle) {
-    const count = points.length;
-    root.append(
-      h("p", { class: "train-said", role: "status" }, t("puzzle.solved", { count })),
-      h("p", { class: "hint" }, t("puzzle.next")),
-      h("div", { class: "row" }, leave),
-    );
-    return;
-  }
   const score = total(points);
   const level = nearestLevel(drill, score);
   const finished = t("train.finished", { score, most: greatest(drill) });

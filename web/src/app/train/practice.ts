@@ -1,74 +1,36 @@
 /**
- * A drill or the puzzle of the day in progress, on the page's table or at a real one. On the page it sets
+ * A drill or a puzzle in progress, on the page's table or at a real one. On the page it sets
  * the balls, judges every shot after its replay, and restores the earlier document at the end.
  */
 
-import type { Trace } from "../../engine/index.ts";
+import type { DrawnMark, Strike, Trace } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import type { AimedShot, Attempt, Document } from "../document/document.ts";
+import { withMarks } from "../document/marks.ts";
+import { aimed } from "../document/shot-file.ts";
 import type { State, Store } from "../document/store.ts";
+import { shoot } from "../aim/shoot.ts";
 import { leave } from "../replay/replay-control.ts";
 import { paragraph, t } from "../words/translate.ts";
 import { markedAreas } from "./drill-areas.ts";
-import { type Drill, drillOf } from "./drills/index.ts";
-import { judge, restOf, type Verdict } from "./drill-judge.ts";
+import type { Drill } from "./drills/index.ts";
+import { judge } from "./drill-judge.ts";
 import { type Deviation, deviation, layoutOf, type Setting } from "./drill-layout.ts";
 import { clothOf } from "./drill-places.ts";
 import type { Keeper } from "./progress/progress-keeper.ts";
 import type { Result } from "./progress/practice-progress.ts";
-import type { Puzzle } from "./puzzle/daily-puzzle.ts";
-import { counted, stepAfter, total } from "./drill-score.ts";
-import { goalText, puzzleText, scoreText, verdictText } from "./train-words.ts";
+import type { PuzzleTask } from "./puzzle/puzzle-task.ts";
+import { aimedAt, continued, runOf } from "./practice-layout.ts";
+import type { KeptPractice, OnPage, Running } from "./practice-state.ts";
+import { resumed } from "./resumed-practice.ts";
+import { counted, isOver, stepAfter } from "./drill-score.ts";
+import { goalText, scoreText, verdictText } from "./train-words.ts";
 
 /** Time (ms) between the end of a replay and the next attempt: enough to see where the balls stopped. */
 const PAUSE = 1600;
 
 /** Seeds of errors are below this. */
 const SEEDS = 2 ** 31;
-
-/** What is practised. */
-export interface Running {
-  readonly drill: Drill;
-  readonly place: Result["place"];
-  /** Name of the level whose errors the strikes have; null: none. */
-  readonly errors: string | null;
-  /** The puzzle, if it is one: it has no score, and ends when it is solved. */
-  readonly puzzle: Puzzle | null;
-  /** Points of the attempts so far, as the score counts them. */
-  readonly points: readonly number[];
-  /** Shots of the present attempt so far, and the balls that its run still has to pot. */
-  readonly shots: number;
-  readonly left: readonly string[];
-  /** How the last shot went; empty before the first. */
-  readonly said: string;
-  /** Set at the end. */
-  readonly result: Result | null;
-  readonly solved: boolean;
-}
-
-/** What belongs to a drill on the page's table. */
-interface OnPage {
-  /** The document before the drill. */
-  readonly before: Document;
-  /** The layout of the present attempt. */
-  set: AimedShot;
-  seed: number;
-  /** The verdict of the shot that is replayed, and where it leaves the balls. */
-  verdict: Verdict | Deviation | null;
-  next: AimedShot | null;
-  /** The deviation of which the panel knows. */
-  deviation: Deviation | null;
-  timer: ReturnType<typeof setTimeout> | undefined;
-}
-
-/** What a reload of the page keeps of a drill or puzzle in progress: plain values. */
-export interface KeptPractice {
-  readonly running: Omit<Running, "drill"> & { readonly drill: string };
-  /** Null at a real table. */
-  readonly page: Pick<OnPage, "set" | "seed"> | null;
-  /** Whether the attempt was on the screen. */
-  readonly shown: boolean;
-}
 
 export class Practice {
   readonly #store: Store;
@@ -111,10 +73,11 @@ export class Practice {
   }
 
   /** Starts a drill on the page's table. The document is kept until `leave`. */
-  start(drill: Drill, errors: string | null, puzzle: Puzzle | null = null): void {
+  start(drill: Drill, errors: string | null, puzzle: PuzzleTask | null = null): void {
     const before = this.#page?.before ?? this.#store.document;
     const setting = { drill, step: drill.steps[0]!, attempt: 0 };
-    const set = layoutOf(this.#context.engine, setting);
+    // In the order of the balls in which the engine has measured the puzzle.
+    const set = puzzle ? aimed(puzzle.puzzle.shot) : layoutOf(this.#context.engine, setting);
     if (!this.#apply(set)) return;
     const seed = Math.floor(Math.random() * SEEDS);
     clearTimeout(this.#page?.timer);
@@ -124,6 +87,7 @@ export class Practice {
       seed,
       verdict: null,
       next: null,
+      shown: false,
       deviation: null,
       timer: undefined,
     };
@@ -150,23 +114,30 @@ export class Practice {
   /** As `keep`, but nothing changes: a shot whose replay has not ended does not count. */
   snapshot(): { readonly kept: KeptPractice; readonly before: Document | null } | null {
     if (!this.#running) return null;
-    const { drill, ...running } = this.#running;
+    const { drill, puzzle: task, ...running } = this.#running;
+    const own = this.#keeper.progress.drills.find(({ name }) => name === drill.name);
+    const puzzle = task && { id: task.puzzle.id, date: task.date };
     const page = this.#page && { set: this.#page.set, seed: this.#page.seed };
     const shown = this.#store.session.activity === "train";
-    const kept = { running: { ...running, drill: drill.id }, page, shown };
+    const kept = {
+      running: { ...running, puzzle, drill: drill.id, ...(own && { own }) },
+      page,
+      shown,
+    };
     return { kept, before: this.#page?.before ?? null };
   }
 
   /** Goes on with what a reload has kept. */
   resume({ running, page, shown }: KeptPractice, before: Document | null): void {
-    const drill = running.puzzle?.drill ?? drillOf(running.drill);
-    if (!drill || (page && !before)) return;
-    this.#running = { ...running, drill };
+    const found = resumed(this.#context.engine, running);
+    if (!found || (page && !before)) return;
+    this.#running = found;
     this.#page = page && {
       ...page,
       before: before!,
       verdict: null,
       next: null,
+      shown: false,
       deviation: null,
       timer: undefined,
     };
@@ -209,12 +180,48 @@ export class Practice {
     this.#set({ points: this.#running.points.slice(0, -1) });
   }
 
-  #begin(drill: Drill, place: Result["place"], errors: string | null, puzzle: Puzzle | null) {
+  /** Counts a hint of the puzzle; with `marks`, draws them beside its balls. */
+  hint(marks: readonly DrawnMark[]): void {
+    const page = this.#page;
+    if (!page || !this.#running) return;
+    this.#record(false);
+    if (marks.length > 0) {
+      page.set = withMarks(page.set, marks);
+      this.#apply(page.set);
+    }
+    this.#set({ hints: this.#running.hints + 1 });
+  }
+
+  /** Sets the balls of the puzzle with a strike, to be shot and watched: it does not count. */
+  show(strike: Strike): void {
+    const page = this.#page;
+    if (!page || !this.#running) return;
+    this.#record(false);
+    clearTimeout(page.timer);
+    if (this.#store.session.mode === "replay") leave(this.#store);
+    page.shown = true;
+    const shot = aimedAt(page.set, strike);
+    if (this.#apply(shot)) shoot(this.#store, this.#context);
+    this.#set({ seen: true });
+  }
+
+  /** Keeps whether the puzzle was solved at the first attempt, without help; only the first call counts. */
+  #record(made: boolean): void {
+    const { puzzle: task, points, hints, seen } = this.#running!;
+    if (!task || points.length > 0 || hints > 0 || seen) return;
+    const { id, rating } = task.puzzle;
+    const time = new Date().toISOString();
+    this.#keeper.addAttempt({ puzzle: id, time, made, rating: Math.round(rating) });
+  }
+
+  #begin(drill: Drill, place: Result["place"], errors: string | null, puzzle: PuzzleTask | null) {
     this.#running = {
       drill,
       place,
       errors,
       puzzle,
+      hints: 0,
+      seen: false,
       points: [],
       shots: 0,
       left: runOf(drill),
@@ -244,7 +251,7 @@ export class Practice {
     if (!setting || !running || !this.#page || running.result || running.solved) return null;
     if (this.#store.session.activity !== "train") return null;
     const { engine } = this.#context;
-    const goal = running.puzzle ? puzzleText(running.puzzle) : goalText(setting);
+    const goal = goalText(setting);
     return {
       text: paragraph([running.said, ...(running.said === "" ? [goal] : []), scoreText(running)]),
       areas: markedAreas(engine, setting, this.#inHand()),
@@ -276,9 +283,13 @@ export class Practice {
     const { trace, playing, time } = is.replay;
     if (is.mode === "replay" && was.mode === "aim" && trace) this.#shot(page, trace);
     const ended = is.mode === "replay" && trace && !playing && time >= trace.duration;
+    if (ended && page.shown) this.#wait(page);
     if (ended && page.verdict !== null) this.#pronounce(page, true);
     else if (is.mode === "aim" && page.verdict !== null) this.#pronounce(page, false);
-    else if (is.mode === "aim" && was.mode === "replay") this.#next(page);
+    else if (is.mode === "aim" && was.mode === "replay") {
+      page.shown = false;
+      this.#next(page);
+    }
     // The user watches the shot again.
     if (is.mode === "replay" && playing) clearTimeout(page.timer);
     const { deviation } = this;
@@ -291,15 +302,10 @@ export class Practice {
   #shot(page: OnPage, trace: Trace): void {
     const { setting } = this;
     const running = this.#running!;
+    if (page.shown) return;
     page.verdict =
       this.deviation ??
-      judge(
-        clothOf(this.#context.engine, running.drill.table),
-        running.drill,
-        setting!.step,
-        trace,
-        running.left,
-      );
+      judge(clothOf(this.#context.engine, running.drill.table), setting!.step, trace, running.left);
     page.next = continued(page.set, trace);
     page.seed = (page.seed + 1) % SEEDS;
   }
@@ -323,14 +329,16 @@ export class Practice {
         this.#count(verdict.points, said);
       }
     }
-    if (waits) {
-      clearTimeout(page.timer);
-      page.timer = setTimeout(() => {
-        if (this.#store.session.mode === "replay") leave(this.#store);
-      }, PAUSE);
-    } else {
-      this.#next(page);
-    }
+    if (waits) this.#wait(page);
+    else this.#next(page);
+  }
+
+  /** Leaves the replay after a moment. */
+  #wait(page: OnPage): void {
+    clearTimeout(page.timer);
+    page.timer = setTimeout(() => {
+      if (this.#store.session.mode === "replay") leave(this.#store);
+    }, PAUSE);
   }
 
   /** Sets the balls of the next shot, unless they lie so already. */
@@ -352,9 +360,10 @@ export class Practice {
     if (running.puzzle) {
       const solved = points > 0;
       const { date } = running.puzzle;
-      this.#keeper.addPuzzle({ date, tries: all.length, solved });
+      this.#record(solved);
+      if (date !== null) this.#keeper.addPuzzle({ date, tries: all.length, solved });
       this.#set({ ...next, solved });
-    } else if (all.length < drill.attempts) {
+    } else if (!isOver(drill, all)) {
       this.#running = { ...running, ...next };
       if (this.#page) this.#page.set = this.#layout();
       this.#changed();
@@ -370,24 +379,4 @@ export class Practice {
   #layout(): AimedShot {
     return layoutOf(this.#context.engine, this.setting!);
   }
-}
-
-/** The balls that the attempts of a drill have to pot, if they are runs. */
-function runOf({ steps }: Drill): readonly string[] {
-  const { goal } = steps[0]!;
-  return goal.kind === "run" ? goal.balls : [];
-}
-
-/** The layout with the balls where a shot left them. */
-function continued(set: AimedShot, trace: Trace): AimedShot {
-  const gone = new Set(trace.outcome.pocketed.map(([ball]) => ball));
-  const balls = set.balls
-    .filter(({ id }) => !gone.has(id))
-    .map((ball) => ({ ...ball, position: restOf(trace, ball.id)! }));
-  return { ...set, balls };
-}
-
-/** The score of what is practised. */
-export function scoreOf({ points }: Running): number {
-  return total(points);
 }

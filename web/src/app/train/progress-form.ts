@@ -13,7 +13,7 @@ import {
 } from "./progress/practice-progress.ts";
 
 export function mountProgress(root: HTMLElement, trainer: Trainer): void {
-  const { keeper } = trainer;
+  const { keeper, context } = trainer;
   const { damaged } = keeper;
   const input = h("input", {
     type: "file",
@@ -27,8 +27,10 @@ export function mountProgress(root: HTMLElement, trainer: Trainer): void {
     input.value = ""; // the same file can be chosen again
     if (file) void addFile(file, trainer);
   });
-  const save = () =>
-    download(progressToText(keeper.progress), `carom-progress-${dayOf(new Date())}.json`);
+  const save = () => {
+    const text = progressToText(keeper.progress, context.engine.version);
+    download(text, `carom-progress-${dayOf(new Date())}.json`);
+  };
   root.append(
     h("h2", {}, t("progress.title")),
     h("p", { class: "hint" }, t(keeper.isKept ? "progress.kept" : "progress.not-kept")),
@@ -70,8 +72,8 @@ function mountDeletion(root: HTMLElement, { keeper, context }: Trainer): void {
   root.append(row);
 }
 
-function sizeOf({ results, puzzles }: Progress): number {
-  return results.length + puzzles.length;
+function sizeOf({ results, puzzles, attempts, drills }: Progress): number {
+  return results.length + puzzles.length + attempts.length + drills.length;
 }
 
 async function addFile(file: File, { store, context, keeper }: Trainer): Promise<void> {
@@ -84,7 +86,7 @@ async function addFile(file: File, { store, context, keeper }: Trainer): Promise
   }
   try {
     const before = sizeOf(keeper.progress);
-    keeper.add(progressOfText(text));
+    await keeper.add(progressOfText(text));
     // The refusal of an earlier file would contradict this one.
     store.setSession({ refusal: null });
     context.announce(t("progress.imported", { count: sizeOf(keeper.progress) - before }));

@@ -3,6 +3,7 @@
 import { h } from "../common/dom.ts";
 import { t } from "../words/translate.ts";
 import { DRILLS } from "./drills/index.ts";
+import { ownDrills } from "./own/own-drills.ts";
 import { button, heading, type Trainer } from "./train-parts.ts";
 import { MOST_ON_SHEET, type Paper, printSheet, sheetOf } from "./sheet.ts";
 import { drillName } from "./train-words.ts";
@@ -11,9 +12,15 @@ import { drillName } from "./train-words.ts";
 const chosen = new Set<string>(["stop", "follow", "draw", "cuts"]);
 let paper: Paper = "a4";
 
-export function mountSheetForm(root: HTMLElement, { store, context, go }: Trainer): void {
-  const boxes = DRILLS.map(({ id }) => {
-    const box = h("input", { type: "checkbox", id: `sheet-${id}`, checked: chosen.has(id) });
+export function mountSheetForm(root: HTMLElement, { store, context, keeper, go }: Trainer): void {
+  const all = [...ownDrills({ context, keeper }), ...DRILLS];
+  const boxes = all.map((drill) => {
+    const { id } = drill;
+    const box = h("input", {
+      type: "checkbox",
+      id: `sheet-${id.replace(/\s/g, "-")}`,
+      checked: chosen.has(id),
+    });
     box.addEventListener("change", () => {
       if (box.checked && chosen.size === MOST_ON_SHEET) {
         box.checked = false;
@@ -21,7 +28,7 @@ export function mountSheetForm(root: HTMLElement, { store, context, go }: Traine
       } else if (box.checked) chosen.add(id);
       else chosen.delete(id);
     });
-    return h("label", {}, box, drillName(id));
+    return h("label", {}, box, drillName(drill));
   });
   const papers = h(
     "select",
@@ -34,7 +41,7 @@ export function mountSheetForm(root: HTMLElement, { store, context, go }: Traine
     paper = papers.value as Paper;
   });
   const print = () => {
-    const drills = DRILLS.filter(({ id }) => chosen.has(id));
+    const drills = all.filter(({ id }) => chosen.has(id));
     if (drills.length === 0) store.refuse(t("sheet.none"));
     else printSheet(sheetOf(context.engine, drills), paper);
   };

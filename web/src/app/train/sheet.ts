@@ -1,15 +1,16 @@
-/** A page for a real table, by the browser's print: drills with diagrams to scale, and boxes for attempts. */
+/** Pages for a real table, by the browser's print: drills with a diagram to scale of every step, and boxes for attempts. */
 
 import "./sheet.css";
 import type { Engine } from "../../engine/index.ts";
 import { h } from "../common/dom.ts";
-import { t } from "../words/translate.ts";
+import { paragraph, t } from "../words/translate.ts";
 import { diagram } from "./drill-diagram.ts";
-import type { Drill } from "./drills/index.ts";
+import type { Drill, Step } from "./drills/index.ts";
+import { needsText } from "./goal-words.ts";
 import { levelCurve } from "./score-curves.ts";
 import { drillName, goalText, tableText } from "./train-words.ts";
 
-/** Drills on a page. */
+/** Drills on a sheet. */
 export const MOST_ON_SHEET = 6;
 
 export type Paper = "a4" | "letter";
@@ -17,6 +18,8 @@ export type Paper = "a4" | "letter";
 /** Scales 1 : n of the diagrams by the number of drills: one or two have the page's width. */
 const SCALES: Readonly<Record<number, number>> = { 1: 25, 2: 40 };
 const SMALL = 50;
+/** The largest scale of a drill with several steps, which stand beside each other. */
+const STEPS = 40;
 
 /** @param drills At most `MOST_ON_SHEET`. */
 export function sheetOf(engine: Engine, drills: readonly Drill[]): HTMLElement {
@@ -30,25 +33,29 @@ export function sheetOf(engine: Engine, drills: readonly Drill[]): HTMLElement {
     h(
       "div",
       { class: "sheet-drills" },
-      ...drills.map((drill) => drillOnSheet(engine, drill, scale)),
+      ...drills.map((drill) =>
+        drillOnSheet(engine, drill, drill.steps.length > 1 ? Math.max(scale, STEPS) : scale),
+      ),
     ),
   );
 }
 
 function drillOnSheet(engine: Engine, drill: Drill, scale: number): HTMLElement {
-  const setting = { drill, step: drill.steps[0]!, attempt: 0 };
-  const label = t("train.diagram", { name: drillName(drill.id) });
+  const { steps } = drill;
   const boxes = Array.from({ length: drill.attempts }, (_, k) =>
     h("span", { class: "sheet-box" }, String(k + 1)),
   );
   return h(
     "article",
-    { class: "sheet-drill" },
-    h("h2", {}, drillName(drill.id)),
+    { class: "sheet-drill", "data-steps": steps.length > 1 },
+    h("h2", {}, drillName(drill)),
     h("p", { class: "sheet-table" }, `${tableText(drill)} ${t("sheet.scale", { scale })}`),
-    diagram(engine, setting, { label, scale }),
-    h("p", {}, goalText({ ...setting, drill: { ...drill, steps: [setting.step] } })),
-    drill.steps.length > 1 && h("p", {}, t("sheet.steps", { steps: drill.steps.length })),
+    h("p", {}, goalText({ drill: { ...drill, steps: [steps[0]!] }, step: steps[0]!, attempt: 0 })),
+    h(
+      "div",
+      { class: "sheet-steps" },
+      ...steps.map((step) => stepOnSheet(engine, drill, step, scale)),
+    ),
     h(
       "div",
       { class: "sheet-boxes" },
@@ -59,7 +66,27 @@ function drillOnSheet(engine: Engine, drill: Drill, scale: number): HTMLElement 
   );
 }
 
-/** Prints a sheet on one page of the paper. The page looks the same afterwards. */
+/** The diagram of a step, with its number if there are several. */
+function stepOnSheet(engine: Engine, drill: Drill, step: Step, scale: number): HTMLElement {
+  const { steps, order, name } = drill;
+  const number = steps.indexOf(step) + 1;
+  const label = t("train.diagram", { name: drillName(drill) });
+  // The goals of a built-in drill differ by what the diagram shows, those of a user in any way.
+  const goal = name !== undefined && order !== "same" && number > 1 ? needsText(step) : "";
+  return h(
+    "figure",
+    {},
+    diagram(engine, { drill, step, attempt: 0 }, { label, scale }),
+    steps.length > 1 &&
+      h(
+        "figcaption",
+        {},
+        paragraph([`${t("train.step", { step: number, steps: steps.length })}.`, goal]),
+      ),
+  );
+}
+
+/** Prints a sheet on the paper. The page looks the same afterwards. */
 export function printSheet(sheet: HTMLElement, paper: Paper): void {
   sheet.dataset.paper = paper;
   document.body.append(sheet);

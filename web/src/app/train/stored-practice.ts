@@ -1,6 +1,6 @@
 /** What a reload keeps of a drill or puzzle, as text, and back. */
 
-import type { KeptPractice } from "./practice.ts";
+import type { KeptPractice } from "./practice-state.ts";
 
 export interface StoredPractice {
   readonly kept: KeptPractice;
@@ -43,13 +43,17 @@ function isPractice(data: unknown): data is KeptPractice {
     isList(running.left, (ball) => typeof ball === "string") &&
     (running.result === null || isRecord(running.result)) &&
     (running.puzzle === null || isPuzzle(running.puzzle)) &&
+    (running.hints === undefined || Number.isSafeInteger(running.hints)) &&
+    (running.seen === undefined || typeof running.seen === "boolean") &&
     (page === null || isPage(page))
   );
 }
 
+/** The name of a puzzle; or a whole one, as earlier versions kept it, which is not resumed. */
 function isPuzzle(data: unknown): boolean {
-  if (!isRecord(data) || !isRecord(data.drill) || typeof data.date !== "string") return false;
-  return isList(data.drill.steps, (step) => isRecord(step) && isRecord(step.balls));
+  if (!isRecord(data) || !(data.date === null || typeof data.date === "string")) return false;
+  const { id, drill } = data;
+  return typeof id === "string" || (isRecord(drill) && isList(drill.steps, isRecord));
 }
 
 function isPage(data: unknown): boolean {

@@ -3,23 +3,31 @@
 import "./train.css";
 import type { Context } from "../common/context.ts";
 import { h } from "../common/dom.ts";
+import type { Opener } from "../share/open-files.ts";
 import type { Store } from "../document/store.ts";
 import { mountDetail } from "./drill-detail.ts";
 import { mountOverview } from "./train-overview.ts";
 import type { Page, Trainer } from "./train-parts.ts";
 import { mountKept } from "./kept-practice.ts";
 import { Practice } from "./practice.ts";
-import { browserBox, Keeper } from "./progress/progress-keeper.ts";
+import { browserBox } from "./progress/earlier-progress.ts";
+import { Keeper, type ProgressStorage } from "./progress/progress-keeper.ts";
+import { mountOwnForm } from "./own/own-drill-form.ts";
+import { isDrillText, mountDrillLinks, openDrill } from "./own/open-drill.ts";
 import { mountRun } from "./practice-run.ts";
 import { mountSheetForm } from "./sheet-form.ts";
 
-/** @returns What is practised, and the progress. */
+/**
+ * @param storage Where the progress is kept; null if the page keeps nothing.
+ * @returns What is practised, the progress, and what opens the file of a drill.
+ */
 export function mountTrain(
   root: HTMLElement,
   store: Store,
   context: Context,
-): Pick<Trainer, "practice" | "keeper"> {
-  const keeper = new Keeper(browserBox());
+  storage: ProgressStorage | null,
+): Pick<Trainer, "practice" | "keeper"> & { readonly openDrillFile: Opener } {
+  const keeper = new Keeper(storage, browserBox());
   const practice = new Practice(store, context, keeper);
   let page: Page = { kind: "overview" };
   const trainer: Trainer = {
@@ -41,6 +49,7 @@ export function mountTrain(
     if (practice.running) mountRun(content, trainer, practice.running);
     else if (page.kind === "drill") mountDetail(content, trainer, page.drill);
     else if (page.kind === "sheet") mountSheetForm(content, trainer);
+    else if (page.kind === "own") mountOwnForm(content, trainer, page.draft);
     else mountOverview(content, trainer);
     const focused = focusedId(root);
     root.replaceChildren(content);
@@ -56,9 +65,7 @@ export function mountTrain(
   keeper.subscribe(() => {
     if (!practice.running) show(false);
   });
-  addEventListener("storage", () => {
-    keeper.refresh();
-  });
+  if (storage) shareWithTabs(keeper);
   store.subscribe((now, before) => {
     if (now.session.activity !== before.session.activity && now.session.activity === "train") {
       show(false);
@@ -66,7 +73,21 @@ export function mountTrain(
   });
   mountKept(practice, store, context.engine);
   if (store.session.activity === "train") show(false);
-  return { practice, keeper };
+  // The drill of a link gets a name that no kept one has.
+  void keeper.ready.then(() => mountDrillLinks(trainer));
+  const openDrillFile: Opener = ({ text }) => {
+    if (!isDrillText(text)) return null;
+    openDrill(trainer, text);
+    return Promise.resolve();
+  };
+  return { practice, keeper, openDrillFile };
+}
+
+/** Shows what another tab has stored, and tells the others what this one has. */
+function shareWithTabs(keeper: Keeper): void {
+  const channel = new BroadcastChannel("carom-progress");
+  keeper.onStored = () => channel.postMessage(null);
+  channel.addEventListener("message", () => void keeper.refresh());
 }
 
 /** The id of the element in a root that has the focus; "" if it has none, null without focus. */

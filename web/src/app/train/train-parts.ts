@@ -4,6 +4,7 @@ import type { Context } from "../common/context.ts";
 import { h } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import type { Drill } from "./drills/index.ts";
+import type { Draft } from "./own/draft.ts";
 import type { Practice } from "./practice.ts";
 import type { Keeper } from "./progress/progress-keeper.ts";
 
@@ -11,7 +12,8 @@ import type { Keeper } from "./progress/progress-keeper.ts";
 export type Page =
   | { readonly kind: "overview" }
   | { readonly kind: "drill"; readonly drill: Drill }
-  | { readonly kind: "sheet" };
+  | { readonly kind: "sheet" }
+  | { readonly kind: "own"; readonly draft: Draft };
 
 /** What every page of the panel uses. */
 export interface Trainer {

@@ -2,16 +2,17 @@
 
 import { ballName, lengthText } from "../common/shot-words.ts";
 import { presetLabel } from "../common/preset-names.ts";
-import { capital, named, paragraph, t } from "../words/translate.ts";
+import { capital, list, named, paragraph, t } from "../words/translate.ts";
+import { needsText } from "./goal-words.ts";
 import type { Drill } from "./drills/index.ts";
 import type { Fault, Verdict } from "./drill-judge.ts";
 import type { Setting } from "./drill-layout.ts";
-import type { Puzzle } from "./puzzle/daily-puzzle.ts";
+import type { PuzzleTask } from "./puzzle/puzzle-task.ts";
 import { total } from "./drill-score.ts";
 
 /** The name of a drill; its id if this version of the page does not have it. */
-export function drillName(id: string): string {
-  return named("drill", id) ?? id;
+export function drillName({ id, name }: Pick<Drill, "id" | "name">): string {
+  return name ?? named("drill", id) ?? id;
 }
 
 /** The goal, with the number of the step if there are several. */
@@ -20,11 +21,8 @@ export function goalText({ drill, step }: Setting): string {
   const number = steps.indexOf(step) + 1;
   const which =
     steps.length > 1 ? `${t("train.step", { step: number, steps: steps.length })}.` : "";
-  return paragraph([named("drill-goal", drill.id) ?? "", which]);
-}
-
-export function puzzleText({ kind }: Puzzle): string {
-  return t(`puzzle.${kind}`);
+  const own = named("drill-goal", drill.id);
+  return paragraph([own ?? paragraph([drill.text ?? "", needsText(step)]), which]);
 }
 
 /** Table and number of attempts. */
@@ -47,7 +45,7 @@ export function scoreText({
   points,
 }: {
   readonly drill: Drill;
-  readonly puzzle: Puzzle | null;
+  readonly puzzle: PuzzleTask | null;
   readonly points: readonly number[];
 }): string {
   if (puzzle) return points.length > 0 ? t("train.shots", { count: points.length }) : "";
@@ -85,8 +83,15 @@ function conditionText({ condition, distance }: Extract<Fault, { kind: "conditio
     case "pot":
     case "first":
     case "cushions":
+    case "avoid":
+    case "next":
     case "hidden":
       return t(`fault.${condition.kind}`, { ball: ballName(condition.ball) });
+    case "touch":
+    case "apart":
+      return t(`fault.${condition.kind}`, { balls: list(condition.balls.map(ballName)) });
+    case "gather":
+      return t("fault.gather", { length: lengthText(condition.distance) });
     case "pot-any":
     case "kick":
     case "carom":

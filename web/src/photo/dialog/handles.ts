@@ -28,6 +28,7 @@ export function arrow(event: KeyboardEvent): Point | null {
 export interface HandleActions {
   nudge(mark: Mark, step: Point): void;
   remove(mark: Mark): void;
+  confirm(mark: Mark): void;
   select(mark: Mark): void;
   blur(): void;
 }
@@ -49,8 +50,8 @@ export class Handles {
       const label = fill(TEXTS.landmark, { number: landmark + 1 });
       wanted.set(`landmark ${landmark}`, { mark: { landmark }, pixel, label });
     });
-    for (const { id, pixel } of draft.balls) {
-      const label = fill(TEXTS.handle, { ball: ballText(id) });
+    for (const { id, pixel, suggested } of draft.balls) {
+      const label = fill(suggested ? TEXTS.suggestedHandle : TEXTS.handle, { ball: ballText(id) });
       wanted.set(`ball ${id}`, { mark: { ball: id }, pixel, label });
     }
     for (const [key, made] of this.#buttons) {
@@ -60,6 +61,7 @@ export class Handles {
     }
     for (const [key, { mark, pixel, label }] of wanted) {
       const made = this.#buttons.get(key) ?? this.#create(key, mark, label);
+      made.setAttribute("aria-label", label);
       const [x, y] = stage.place(pixel);
       made.style.transform = `translate(${x}px, ${y}px)`;
     }
@@ -72,6 +74,7 @@ export class Handles {
     made.addEventListener("keydown", (event) => {
       const step = arrow(event);
       if (step) this.#actions.nudge(mark, step);
+      else if (event.key === "Enter") this.#actions.confirm(mark);
       else if (event.key === "Delete" || event.key === "Backspace") this.#actions.remove(mark);
       else return;
       event.preventDefault();

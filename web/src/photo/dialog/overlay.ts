@@ -13,6 +13,8 @@ const POINTS = 24;
 const RING = 9;
 /** Radii of a badge, CSS pixels: as large as the ball, unless it would hide others or be unreadable. */
 const BADGE = [3.5, 9] as const;
+/** The outline of a ball that is not yet confirmed, CSS pixels. */
+const DASHES = [5, 4];
 /** Least radius of a badge with a number. */
 const READABLE = 6.5;
 
@@ -98,14 +100,16 @@ function drawBalls(
 ): void {
   const { draft, calibration, table, tray } = session;
   if (!calibration) return;
-  for (const { id, pixel } of draft.balls) {
+  for (const { id, pixel, suggested } of draft.balls) {
     const points = outline(calibration.camera, pixel, table.radius);
     if (!points) continue;
     const places = points.map(({ offset }) =>
       stage.place([pixel[0] + offset[0], pixel[1] + offset[1]]),
     );
     polygon(context, places);
+    context.setLineDash(suggested ? DASHES : []);
     stroke(context, "#ffffff", id === selected ? 3.5 : 1.5);
+    context.setLineDash([]);
     const [top, bottom] = [Math.min, Math.max].map((end) => end(...places.map(([, y]) => y)));
     const size = Math.max(BADGE[0], Math.min(BADGE[1], 0.4 * (bottom! - top!)));
     badge(context, { id, index: tray.indexOf(id) }, [stage.place(pixel)[0], top! - size - 2], size);

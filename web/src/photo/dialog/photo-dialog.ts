@@ -6,9 +6,10 @@ import { tableOf, type Equipment, type Layout } from "../geometry/photo-layout.t
 import { outline } from "../picture/ball-outline.ts";
 import { LEAST, readPhoto, type Photo } from "../picture/read-photo.ts";
 import { Session } from "../photo-session.ts";
-import { ballText, fill, tableText, TEXTS } from "../texts.ts";
+import { fill, TEXTS } from "../texts.ts";
 import { button, element } from "./element.ts";
 import { arrow, Handles, type Mark } from "./handles.ts";
+import { hintText, proportionText } from "./hint-text.ts";
 import { Loupe } from "./photo-loupe.ts";
 import { drawOverlay } from "./overlay.ts";
 import { preview } from "./layout-preview.ts";
@@ -80,8 +81,10 @@ export class PhotoDialog {
     this.#handles = new Handles({
       nudge: (mark, step) => this.#nudge(mark, step),
       remove: (mark) => this.#removeMark(mark),
+      confirm: (mark) => this.#confirm(mark),
       select: (mark) => this.#magnify(this.#pixelOf(mark), mark),
       blur: () => {
+        if (this.#nudged?.includes("landmark")) this.#suggest();
         this.#nudged = null;
         this.#loupe.hide();
       },
@@ -240,7 +243,9 @@ export class PhotoDialog {
         const gesture = this.#gesture;
         this.#gesture = null;
         this.#loupe.hide();
-        if (gesture && !(gesture.held && gesture.moved)) this.#tap(gesture);
+        if (!gesture) return;
+        if (!gesture.held || !gesture.moved) this.#tap(gesture);
+        else if ("landmark" in gesture.held.mark) this.#suggest();
       },
       cancel: () => {
         this.#gesture = null;
@@ -253,8 +258,10 @@ export class PhotoDialog {
     const session = this.#session;
     if (!session) return;
     const ball = held && "ball" in held.mark ? held.mark.ball : null;
-    if (ball !== null && this.#isInside(ball, pixel)) this.#selected = ball;
-    else {
+    if (ball !== null && this.#isInside(ball, pixel)) {
+      this.#selected = ball;
+      session.confirm(ball);
+    } else {
       this.#selected = null;
       // Who holds and moves uses the magnifier.
       const isQuick = !moved && performance.now() - began < LONG_MS;
@@ -272,13 +279,19 @@ export class PhotoDialog {
     this.#message = result in messages ? messages[result as keyof typeof messages] : "";
   }
 
-  /** Whether a pixel is well inside a ball: touching balls must be tapped apart. */
+  /**
+   * Whether a pixel is well inside a ball: touching balls must be tapped apart. One that the page has found is
+   * confirmed by a tap anywhere on it.
+   */
   #isInside(id: string, pixel: Point): boolean {
     const ball = this.#session?.draft.balls.find((one) => one.id === id);
     const points = ball && this.#outline(ball.pixel);
     if (!ball || !points || points.length === 0) return false;
     const size = Math.hypot(...points[0]!);
-    return Math.hypot(pixel[0] - ball.pixel[0], pixel[1] - ball.pixel[1]) < 0.4 * size;
+    return (
+      Math.hypot(pixel[0] - ball.pixel[0], pixel[1] - ball.pixel[1]) <
+      (ball.suggested ? 0.9 : 0.4) * size
+    );
   }
 
   /** The nearest mark, if the pointer takes hold of it. */
@@ -317,6 +330,19 @@ export class PhotoDialog {
     this.#move(mark, [pixel[0] + x, pixel[1] + y], this.#nudged !== name);
     this.#nudged = name;
     this.#magnify(this.#pixelOf(mark), mark);
+  }
+
+  /** Finds balls, after the points of the table have changed. */
+  #suggest(): void {
+    this.#session?.suggest();
+    this.#show();
+  }
+
+  #confirm(mark: Mark): void {
+    if (!("ball" in mark)) return;
+    this.#session?.confirm(mark.ball);
+    this.#selected = mark.ball;
+    this.#show();
   }
 
   #removeMark(mark: Mark): void {
@@ -394,7 +420,7 @@ export class PhotoDialog {
     this.#work.hidden = !session;
     if (!session) return;
     const { draft, calibration, layout } = session;
-    this.#hint.textContent = this.#hintText(session);
+    this.#hint.textContent = hintText(session);
     const misfit = calibration && !calibration.fits ? TEXTS.misfit : "";
     const lost = draft.balls.length > 0 && !layout ? TEXTS.noLayout : "";
     this.#warning.textContent = this.#message || misfit || lost || proportionText(session);
@@ -415,24 +441,4 @@ export class PhotoDialog {
     const context = this.#stage.draw();
     if (context) drawOverlay(context, this.#stage, session, this.#selected, this.#cross);
   }
-
-  #hintText({ draft, table, accuracy }: Session): string {
-    if (!draft.marked) {
-      const text = table.geometry.pockets.length > 0 ? TEXTS.pockets : TEXTS.corners;
-      return fill(text, { count: draft.landmarks.length });
-    }
-    const next =
-      draft.next === null ? TEXTS.all : fill(TEXTS.balls, { ball: ballText(draft.next) });
-    if (accuracy === null) return next;
-    const error = Math.max(1, Math.round(1000 * accuracy));
-    return `${next} ${fill(TEXTS.accuracy, { error })}`;
-  }
-}
-
-/** What to do if the balls do not have the size of the table's; empty if they do. */
-function proportionText({ misproportion }: Session): string {
-  if (!misproportion) return "";
-  const { isLarge, preset } = misproportion;
-  const text = isLarge ? TEXTS.ballsLarge : TEXTS.ballsSmall;
-  return preset ? `${text} ${fill(TEXTS.looksLike, { table: tableText(preset) })}` : text;
 }

@@ -29,3 +29,22 @@ export function sample(pixels: Pixels, x: number, y: number, out: Float64Array):
   }
   return true;
 }
+
+/** A photo without the finest grain: each pixel is the binomial mean of the nine around it. */
+export function smoothed(pixels: Pixels): Pixels {
+  const { width, height, data } = pixels;
+  const rows = new Uint8ClampedArray(data.length);
+  const out = new Uint8ClampedArray(data.length);
+  const mean = (from: Uint8ClampedArray, to: Uint8ClampedArray, at: number, by: number[]) => {
+    for (let c = at; c < at + 4; c += 1)
+      to[c] = (from[c - by[0]!]! + 2 * from[c]! + from[c + by[1]!]!) / 4;
+  };
+  for (let y = 0; y < height; y += 1)
+    for (let x = 0; x < width; x += 1)
+      mean(data, rows, 4 * (y * width + x), [x > 0 ? 4 : 0, x + 1 < width ? 4 : 0]);
+  const step = 4 * width;
+  for (let y = 0; y < height; y += 1)
+    for (let x = 0; x < width; x += 1)
+      mean(rows, out, 4 * (y * width + x), [y > 0 ? step : 0, y + 1 < height ? step : 0]);
+  return { ...pixels, data: out };
+}

@@ -29,6 +29,8 @@ export interface Search {
   readonly radius: number;
   /** How far the tap may be from the ball's centre, pixels; 0: a small share of the radius. */
   readonly slack: number;
+  /** How far an exact tap may be from it, in radii; by default `REACH`. */
+  readonly reach?: number;
 }
 
 /**
@@ -39,12 +41,12 @@ export function refine(
   pixels: Pixels,
   camera: Camera,
   tap: Point,
-  { radius, slack }: Search,
+  { radius, slack, reach: near = REACH }: Search,
 ): Point | null {
   const points = outline(camera, tap, radius);
   if (!points) return null;
   const size = meanRadius(points);
-  const reach = Math.max(REACH * size, Math.min(LONGEST_REACH * size, slack));
+  const reach = Math.max(near * size, Math.min(LONGEST_REACH * size, slack));
   const steps = Math.ceil(reach / STEP);
   let best: { i: number; j: number; value: number } | null = null;
   const value = (i: number, j: number) =>

@@ -21,6 +21,9 @@ export const texts: PhotoTexts = {
   four: "Nur mit den Ecken weiter",
   balls:
     "Tippen Sie auf die Mitte: {ball}. Halten und Bewegen zeigt die Lupe; ziehen Sie eine Kugel, um sie zu verschieben.",
+  found:
+    "Gefundene Kugeln: {count} (gestrichelt). Tippen Sie eine an, um sie zu bestätigen, und wählen Sie dann eine andere Nummer, wenn sie falsch ist; ziehen Sie sie, um sie zu verschieben. Tippen Sie auf eine Kugel, die fehlt.",
+  lens: "Das Objektiv biegt gerade Linien um {percent} %. Die Seite rechnet es heraus; ein Foto aus größerer Entfernung, ohne Weitwinkel, ist genauer.",
   all: "Alle Kugeln liegen auf dem Tisch. Ziehen Sie eine Kugel, um sie zu verschieben.",
   accuracy: "Die Kugeln liegen auf etwa {error} mm genau.",
   misfit:
@@ -44,6 +47,8 @@ export const texts: PhotoTexts = {
   placed: "{ball}, auf dem Tisch",
   landmark: "Punkt {number} des Tisches. Die Pfeiltasten bewegen ihn.",
   handle: "{ball} im Foto. Die Pfeiltasten bewegen sie, Entf entfernt sie.",
+  suggestedHandle:
+    "{ball} im Foto, von der Seite gefunden. Die Eingabetaste bestätigt sie, die Pfeiltasten bewegen sie, Entf entfernt sie.",
   preview: "Die bisherige Lage. Anzahl der Kugeln: {count}",
   undo: "Rückgängig",
   remove: "Entfernen",

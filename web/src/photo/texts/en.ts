@@ -18,6 +18,9 @@ export const texts = {
     "Tap the four corners of the edge of the cushions, and the middles of the long cushions, in any order. Hold and move for the magnifier. {count} of 6.",
   four: "Continue with the corners only",
   balls: "Tap the middle of {ball}. Hold and move for the magnifier; drag a ball to move it.",
+  found:
+    "Balls that were found: {count} (dashed). Tap one to confirm it, then choose another number if it is wrong; drag it to move it. Tap a ball that is missing.",
+  lens: "The lens bends straight lines by {percent} %. The page allows for it; a photo from farther away, without wide angle, is more exact.",
   all: "All balls are on the table. Drag a ball to move it.",
   accuracy: "Balls are within about {error} mm.",
   misfit:
@@ -39,6 +42,8 @@ export const texts = {
   placed: "{ball}, on the table",
   landmark: "Point {number} of the table. Arrow keys move it.",
   handle: "{ball} in the photo. Arrow keys move it, Delete removes it.",
+  suggestedHandle:
+    "{ball} in the photo, found by the page. Enter confirms it, arrow keys move it, Delete removes it.",
   preview: "The layout so far. Number of balls: {count}",
   undo: "Undo",
   remove: "Remove",

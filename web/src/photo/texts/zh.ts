@@ -18,6 +18,9 @@ export const texts: PhotoTexts = {
   corners: "点按库边的四个角和两条长库的中点，顺序不限。按住并移动可放大。{count}/6。",
   four: "只用四个角继续",
   balls: "点按{ball}的中心。按住并移动可放大；拖动可移动球。",
+  found:
+    "找到的球：{count} 个（虚线）。点按一个球来确认；如果号码不对，再选另一个号码；拖动可移动球。漏掉的球请点按。",
+  lens: "镜头把直线弯曲了 {percent}%。页面已作校正；离远一些、不用广角拍的照片更准确。",
   all: "所有球都已摆好。拖动可移动球。",
   accuracy: "球的位置误差约 {error} 毫米。",
   misfit: "这些点与这张球台不符。把它们拖到袋口上，或者选择球台。",
@@ -37,6 +40,7 @@ export const texts: PhotoTexts = {
   placed: "{ball}，已摆好",
   landmark: "球台的第 {number} 个点。方向键移动它。",
   handle: "照片中的{ball}。方向键移动它，Delete 键移走它。",
+  suggestedHandle: "照片中的{ball}，由页面找到。回车键确认，方向键移动，Delete 键移走。",
   preview: "目前的球形。球数：{count}",
   undo: "撤销",
   remove: "移走",

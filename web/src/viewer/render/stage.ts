@@ -25,6 +25,8 @@ import { Tiles } from "./tiles.ts";
 export const ZOOM = 2.5;
 export const LOUPE = 132;
 const BORDER = 0.035;
+/** Time (ms) between two looks whether a picture is drawn. */
+const POLL = 8;
 
 /** The circle of a loupe, CSS pixels from the upper left corner of the canvas. */
 export interface Loupe {
@@ -83,6 +85,8 @@ export class Stage {
   #last: Matrix4 | null = null;
   #fresh = false;
   #smooths = true;
+  /** Whether `#smooth` has the next picture already. */
+  #isFine = false;
   readonly #size = new Vector2();
 
   constructor(canvas: HTMLCanvasElement, scene: Scene, software: boolean) {
@@ -113,6 +117,28 @@ export class Stage {
     this.#smooths = smooths;
   }
 
+  /**
+   * Draws what the next picture with smooth edges needs, ahead of it and beside the screen; what it shows stays
+   * as it is until then. Wait for {@link finished} before that picture.
+   *
+   * @param fine - Whether the edges of everything are smoothed, or the table's.
+   */
+  prepare(camera: Camera, fine: boolean): void {
+    if (!this.software) return;
+    if (fine) {
+      this.#into(this.#smooth, () => this.#whole(camera));
+      this.#isFine = true;
+    } else if (this.#fresh) {
+      this.#layer(STILL, this.#table.smooth, camera);
+    }
+  }
+
+  /** Shows the table's smooth edges, which {@link prepare} has drawn. */
+  showSmooth(): void {
+    this.#smooths = true;
+    this.#tiles.markAll();
+  }
+
   set shadows(drawn: boolean) {
     this.renderer.shadowMap.enabled = drawn;
   }
@@ -120,6 +146,10 @@ export class Stage {
   set background(color: string) {
     this.renderer.setClearColor(color);
     this.#fresh = false;
+  }
+
+  get pixelRatio(): number {
+    return this.renderer.getPixelRatio();
   }
 
   setPixelRatio(ratio: number): void {
@@ -141,10 +171,32 @@ export class Stage {
     return this.renderer.getDrawingBufferSize(this.#size).y;
   }
 
-  /** Starts to compile the shaders of these objects and their children, also if they are hidden. */
-  compile(objects: readonly Object3D[], camera: Camera): void {
-    for (const object of objects) this.renderer.compile(object, camera, this.#scene);
+  /**
+   * Starts to compile the shaders of these objects and their children, also if they are hidden. Yields after
+   * each object.
+   */
+  *compile(objects: readonly Object3D[], camera: Camera): Generator<undefined, void, undefined> {
+    for (const object of objects) {
+      this.renderer.compile(object, camera, this.#scene);
+      yield;
+    }
     if (this.software) this.#table.compile(this.renderer);
+  }
+
+  /**
+   * Resolves when everything so far is drawn. Without this the browser waits for it on the main thread, with
+   * software rendering for half a second at the first picture, which compiles the shaders.
+   */
+  async finished(): Promise<void> {
+    const context = this.renderer.getContext() as WebGL2RenderingContext;
+    const fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
+    if (!fence) return;
+    context.flush();
+    const isDone = () =>
+      context.isContextLost() ||
+      context.getSyncParameter(fence, context.SYNC_STATUS) === context.SIGNALED;
+    while (!isDone()) await new Promise((resolve) => setTimeout(resolve, POLL));
+    context.deleteSync(fence);
   }
 
   /**
@@ -158,7 +210,10 @@ export class Stage {
     if (!this.software) this.#whole(camera);
     else if (fine) this.#finely(camera);
     else this.#quickly(camera);
+    this.#isFine = false;
     if (loupe) this.#magnify(camera, loupe);
+    // Without this nothing is drawn before the end of the browser's frame.
+    renderer.getContext().flush();
   }
 
   dispose(): void {
@@ -175,7 +230,7 @@ export class Stage {
   }
 
   #finely(camera: Camera): void {
-    this.#into(this.#smooth, () => this.#whole(camera));
+    if (!this.#isFine) this.#into(this.#smooth, () => this.#whole(camera));
     this.#copier.copy(this.renderer, this.#smooth);
     this.#tiles.markAll();
   }
@@ -207,15 +262,17 @@ export class Stage {
           [DEPTH, depths],
         ]
       : [[STILL, depths]];
-    for (const [layer, picture] of parts) {
-      camera.layers.set(layer);
-      this.#into(picture, () => {
-        this.renderer.clear();
-        this.renderer.render(this.#scene, camera);
-      });
-    }
+    for (const [layer, picture] of parts) this.#layer(layer, picture, camera);
     this.#tiles.markAll();
     this.#fresh = true;
+  }
+
+  #layer(layer: number, picture: Picture, camera: Camera): void {
+    camera.layers.set(layer);
+    this.#into(picture, () => {
+      this.renderer.clear();
+      this.renderer.render(this.#scene, camera);
+    });
   }
 
   #into(picture: Picture, draw: () => void): void {

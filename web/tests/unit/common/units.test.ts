@@ -1,6 +1,13 @@
 import { expect, test } from "vitest";
 import { load } from "../../../src/engine/index.ts";
-import { round, speedFrom, speedIn, SPEED_UNITS, TIP } from "../../../src/app/common/units.ts";
+import {
+  estimatedPercent,
+  round,
+  speedFrom,
+  speedIn,
+  SPEED_UNITS,
+  TIP,
+} from "../../../src/app/common/units.ts";
 
 test("a speed converted to a unit and back is unchanged", () => {
   expect(speedIn("km/h", 10)).toBeCloseTo(36, 12);
@@ -18,4 +25,9 @@ test("numbers are rounded without a negative zero", () => {
 test("the page and Python count English in the same tips", async () => {
   // Seen: two tips of follow on the page were ¾ of a tip in Python, whose tip was as wide as a cue's.
   expect(TIP).toBe((await load()).tip);
+});
+
+// Seen: a machine that was "100 % to stay at the table" missed.
+test("an estimated chance is never a certainty", () => {
+  expect([0, 0.004, 0.5, 0.994, 0.996, 1].map(estimatedPercent)).toEqual([0, 0, 50, 99, 99, 99]);
 });

@@ -3,7 +3,7 @@ import type { Race } from "../../../src/app/document/stored-game.ts";
 import { newGame } from "../../../src/app/document/stored-game.ts";
 import { foulWithout } from "../../../src/app/game/match/shot-clock.ts";
 import { framesWon, nextFrame, raceWinner } from "../../../src/app/game/match/race.ts";
-import { trayOf } from "../../../src/app/game/match/pocketed-tray.ts";
+import { trayLabel, trayOf } from "../../../src/app/game/match/pocketed-tray.ts";
 import { concede, playMove, playShot, startNext } from "../../../src/app/game/game-actions.ts";
 import { standing } from "../../../src/app/game/awaited-turn.ts";
 import { stateFromFragment, stateToFragment } from "../../../src/app/share/link-state.ts";
@@ -95,4 +95,9 @@ test("the tray has the balls that were pocketed, and not the cue ball", () => {
   playShot(store, context, () => undefined);
   const after = standing(store, engine)!;
   expect(trayOf(after, after.frame.state.balls).sort()).toEqual([...after.steps[0]!.potted].sort());
+});
+
+test("the tray shows the numbers that the table shows", () => {
+  // Seen: a potted red with the number 6.
+  expect(["6", "15", "red-6", "black", "cue"].map(trayLabel)).toEqual(["6", "15", "", "", ""]);
 });

@@ -14,6 +14,8 @@ import {
 import { KeptFault } from "../../../src/app/kept/kept-fault.ts";
 import { KeptStorage, MOST_WORKS } from "../../../src/app/kept/kept-storage.ts";
 import { type KeptWork, packed } from "../../../src/app/kept/kept-work.ts";
+import { Library } from "../../../src/app/kept/library.ts";
+import { ENTRY_FORMAT, type LibraryEntry } from "../../../src/app/kept/library-entry.ts";
 import { type FinishedGame, GAME_FORMAT } from "../../../src/app/kept/finished-game.ts";
 import { Keeper } from "../../../src/app/train/progress/progress-keeper.ts";
 import SCHEMA from "../../../schemas/carom-backup-1.json";
@@ -26,6 +28,8 @@ afterEach(() => {
   vi.unstubAllGlobals();
   vi.restoreAllMocks();
 });
+
+const ENGINE = "carom 0.0.1";
 
 const GAME = begun("nine-ball").document.game!;
 
@@ -40,6 +44,18 @@ function game(id: string, ended: string): FinishedGame {
   return { format: GAME_FORMAT, id, ended, game: GAME, winner: 1, scores: [0, 1] };
 }
 
+function entry(id: string, changed: string): LibraryEntry {
+  return {
+    format: ENTRY_FORMAT,
+    id,
+    name: "One",
+    folder: "",
+    changed,
+    kind: "position",
+    link: "#s=1.x",
+  };
+}
+
 async function idsOf(storage: KeptStorage, kind: KeptWork["kind"] = "game"): Promise<string[]> {
   const ids: string[] = [];
   await storage.eachWork(kind, (data) => ids.push((data as KeptWork).id) > 0);
@@ -48,7 +64,13 @@ async function idsOf(storage: KeptStorage, kind: KeptWork["kind"] = "game"): Pro
 
 function keptOf(storage: KeptStorage): Kept {
   const games = { changed: vi.fn() };
-  return { works: { storage }, games, progress: new Keeper(null) } as unknown as Kept;
+  const library = new Library(storage);
+  return {
+    works: { storage },
+    games,
+    progress: new Keeper(storage, null),
+    library,
+  } as unknown as Kept;
 }
 
 test("works and games come back, the newest first, to another page too", async () => {
@@ -131,18 +153,20 @@ test("everything goes into one file and back, once", async () => {
   await storage.put("works", work("a", day(1)));
   await storage.put("works", work("b", day(2), "analysis"));
   await storage.put("games", game("g", day(1)));
+  await storage.put("library", entry("e", day(1)));
   const kept = keptOf(storage);
   kept.progress.addPuzzle({ date: "2026-11-28", tries: 2, solved: true });
-  const text = await backupText(kept);
+  const text = await backupText(kept, ENGINE);
   expect(isBackupText(text)).toBe(true);
   const backup = backupOf(text);
   expect(await addBackup(kept, backup), "all of it is there").toBe(0);
 
   vi.stubGlobal("indexedDB", new IDBFactory());
   const other = keptOf(new KeptStorage());
-  expect(await addBackup(other, backup)).toBe(4);
+  expect(await addBackup(other, backup)).toBe(5);
   expect(await addBackup(other, backup)).toBe(0);
-  const again = JSON.parse(await backupText(other)) as Backup;
+  const again = JSON.parse(await backupText(other, ENGINE)) as Backup;
+  expect((JSON.parse(text) as { engine: unknown }).engine).toBe(ENGINE);
   expect({ ...again, saved: "" }).toEqual({ ...(JSON.parse(text) as object), saved: "" });
 });
 
@@ -150,7 +174,7 @@ test("a file overwrites nothing: what was changed since stays, and the old one i
   const storage = new KeptStorage();
   await storage.put("works", work("a", day(1)));
   const kept = keptOf(storage);
-  const backup = backupOf(await backupText(kept));
+  const backup = backupOf(await backupText(kept, ENGINE));
   await storage.put("works", work("a", day(5)));
   expect(await addBackup(kept, backup)).toBe(1);
   expect(await addBackup(kept, backup), "not twice").toBe(0);
@@ -168,7 +192,9 @@ test("the schema has the keys of the file", async () => {
   const storage = new KeptStorage();
   await storage.put("works", work("a", day(1)));
   await storage.put("games", game("g", day(1)));
-  const file = JSON.parse(await backupText(keptOf(storage))) as {
+  await storage.put("library", entry("e", day(1)));
+  const file = JSON.parse(await backupText(keptOf(storage), ENGINE)) as {
+    library: [LibraryEntry];
     works: [KeptWork];
     games: [FinishedGame];
     progress: object;
@@ -184,6 +210,7 @@ test("the schema has the keys of the file", async () => {
     [ended, $defs.finished],
     [ended.game, $defs.finished.properties.game],
     [file.progress, $defs.progress],
+    [file.library[0], $defs.entry],
   ] as const) {
     const { always, known } = keysIn(schema);
     expect(Object.keys(data)).toEqual(expect.arrayContaining([...always]));
@@ -191,10 +218,64 @@ test("the schema has the keys of the file", async () => {
   }
 });
 
+test("a file of an older page, without a library, is read", async () => {
+  const kept = keptOf(new KeptStorage());
+  const old = JSON.parse(await backupText(kept, ENGINE)) as Record<string, unknown>;
+  delete old.library;
+  delete old.engine;
+  expect(backupOf(JSON.stringify(old)).library).toEqual([]);
+});
+
+test("a database of an older page gets a library, and keeps what it has", async () => {
+  const { openDB } = await import("idb");
+  const old = await openDB("carom", 1, {
+    upgrade: (base) => {
+      base.createObjectStore("works", { keyPath: "id" }).createIndex("order", ["kind", "changed"]);
+      base.createObjectStore("games", { keyPath: "id" }).createIndex("ended", "ended");
+    },
+  });
+  await old.put("works", work("a", day(1)));
+  old.close();
+  const storage = new KeptStorage();
+  expect(await idsOf(storage)).toEqual(["a"]);
+  expect(await storage.put("library", entry("e", day(1)))).toBe(true);
+  expect(await storage.all("library")).toEqual([entry("e", day(1))]);
+});
+
+test("a change in the library never overwrites that of another tab", async () => {
+  const [one, other] = [new Library(new KeptStorage()), new Library(new KeptStorage())];
+  const added = await one.add({ kind: "position", name: "A", folder: "", link: "#s=1.x" });
+  const first = await one.change({ ...added!, name: "B" });
+  expect(first?.id).toBe(added?.id);
+  const second = await other.change({ ...added!, name: "C" });
+  expect(second?.id).not.toBe(added?.id);
+  const { entries, damaged } = await one.list();
+  expect(entries.map(({ name }) => name)).toEqual(["B", "C"]);
+  expect(damaged).toEqual([]);
+  await one.remove(second!.id);
+  await one.restore(second!);
+  expect((await other.list()).entries).toHaveLength(2);
+});
+
+test("damaged entries of the library are listed apart from the others", async () => {
+  const storage = new KeptStorage();
+  await storage.put("library", entry("e", day(1)));
+  for (const [id, change] of [
+    ["x", { kind: "film" }],
+    ["y", { link: 3 }],
+    ["z", { changed: "yesterday" }],
+  ] as const) {
+    await storage.put("library", { ...entry(id, day(1)), ...change } as unknown as LibraryEntry);
+  }
+  const { entries, damaged } = await new Library(storage).list();
+  expect(entries.map(({ id }) => id)).toEqual(["e"]);
+  expect(damaged).toHaveLength(3);
+});
+
 test("a damaged file is refused as a whole, with the place", async () => {
   const storage = new KeptStorage();
   await storage.put("games", game("g", day(1)));
-  const text = await backupText(keptOf(storage));
+  const text = await backupText(keptOf(storage), ENGINE);
   const data = JSON.parse(text) as Record<string, unknown>;
   for (const [change, place] of [
     [{ works: [{}] }, "works[0].format"],

@@ -186,6 +186,8 @@ test("a finished game is read back, and a damaged one refused", () => {
     scores: [1, 0],
   };
   expect(finishedOf(copied(entry), "game")).toEqual(entry);
+  const made = { ...entry, engine: "carom 0.0.1" };
+  expect(finishedOf(copied(made), "game")).toEqual(made);
   for (const [key, value] of [
     ["winner", 2],
     ["scores", [1]],
@@ -193,6 +195,7 @@ test("a finished game is read back, and a damaged one refused", () => {
     ["game", null],
     ["game", { setup: {} }],
     ["ended", "today"],
+    ["engine", 1],
     ["more", 1],
   ] as const) {
     expect(() => finishedOf({ ...entry, [key]: value }, "game"), key).toThrow(KeptFault);

@@ -5,7 +5,7 @@ import { meet, project } from "../../../src/photo/geometry/camera.ts";
 import { landmarks } from "../../../src/photo/geometry/landmarks.ts";
 import { tableOf } from "../../../src/photo/geometry/photo-layout.ts";
 import { straightened } from "../../../src/photo/picture/rails.ts";
-import { renderRails } from "../../photo/rails.ts";
+import { renderRails } from "../../photo/tiles.ts";
 import { generator } from "../../photo/random.ts";
 import { lit } from "../../photo/render.ts";
 import { lookAt } from "../../photo/views.ts";

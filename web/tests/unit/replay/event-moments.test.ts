@@ -1,6 +1,12 @@
 import { describe, expect, test } from "vitest";
 import type { TraceEvent } from "../../../src/engine/index.ts";
-import { latest, moments, next, previous } from "../../../src/app/replay/event-moments.ts";
+import {
+  latest,
+  moments,
+  next,
+  previous,
+  representatives,
+} from "../../../src/app/replay/event-moments.ts";
 
 const at = (time: number): TraceEvent => ({
   time,
@@ -53,4 +59,19 @@ describe("the steps of a replay", () => {
     expect(forwards).toStrictEqual([0, 0.5, 1.25]);
     expect(backwards).toStrictEqual([1.25, 0.5, 0]);
   });
+});
+
+// Seen: thirteen rows "ball 2 lands" for a ball that hops to rest.
+test("the landings of a ball until its next other event are one row of the list", () => {
+  const event = (type: string, ...balls: string[]) => ({ type, balls }) as unknown as TraceEvent;
+  const land = (ball: string) => event("slate-collision", ball);
+  const hops = [
+    land("2"),
+    land("1"),
+    land("2"),
+    event("ball-collision", "1", "2"),
+    land("2"),
+    land("2"),
+  ];
+  expect(representatives(hops)).toStrictEqual([0, 1, 0, 3, 4, 4]);
 });

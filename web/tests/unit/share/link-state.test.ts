@@ -52,6 +52,7 @@ describe("the state in a link", () => {
       game: null,
       tree: null,
       study: null,
+      lesson: null,
       view: FIRST_VIEW,
       time: null,
     });
@@ -74,6 +75,7 @@ describe("the state in a link", () => {
       seed: 12345,
       tree: null,
       study: null,
+      lesson: null,
       game,
       view,
       time: 1.234567890123456,

@@ -27,6 +27,7 @@ describe("the tabs that are present", () => {
     expect(names(at())).toEqual(["aim", "lines", "tree", "layout", "physics", "whatif"]);
     expect(names(at({ activity: "play" }))).toEqual(["game", "aim"]);
     expect(names(at({ activity: "train" }))).toEqual(["train", "aim"]);
+    expect(names(at({ activity: "library" }))).toEqual(["library", "aim"]);
   });
 
   test("in a replay are those that show something of it", () => {

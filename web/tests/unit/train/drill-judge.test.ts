@@ -1,8 +1,8 @@
 import { describe, expect, test } from "vitest";
 import { load, type ShotFile, type StrikeEntry, type Trace } from "../../../src/engine/index.ts";
-import type { Condition, Drill, RunGoal, Step, Zone } from "../../../src/app/train/drills/index.ts";
+import type { Condition, RunGoal, Step, Zone } from "../../../src/app/train/drills/index.ts";
 import { judge, mostPoints, type Verdict } from "../../../src/app/train/drill-judge.ts";
-import { clothOf, distanceTo, pointOf, regionOf } from "../../../src/app/train/drill-places.ts";
+import { clothOf, pointOf } from "../../../src/app/train/drill-places.ts";
 
 const engine = await load();
 const cloth = clothOf(engine, "wpa-9ft");
@@ -28,19 +28,9 @@ function traceOf(places: Places, strike: Strike, table = "wpa-9ft"): Trace {
   return engine.shot(file).simulate();
 }
 
-const drillOf = (step: Step, cue = "cue", table: Drill["table"] = "wpa-9ft"): Drill => ({
-  id: "test",
-  table,
-  cue,
-  attempts: 10,
-  order: "same",
-  steps: [step],
-  speed: 2,
-});
-
 function judged(trace: Trace, needs: readonly Condition[], zones?: readonly Zone[]): Verdict {
   const step: Step = { balls: {}, goal: { kind: "shot", needs, ...(zones && { zones }) } };
-  return judge(cloth, drillOf(step), step, trace);
+  return judge(cloth, step, trace);
 }
 
 /** A straight shot of the 1 into the top right corner pocket, with a tip height. */
@@ -135,8 +125,7 @@ describe("cushions", () => {
       goal: { kind: "shot", needs: [{ kind: "carom", cushions }] },
     });
     const carom = clothOf(engine, "carom-10ft");
-    const verdict = (trace: Trace, cushions: number) =>
-      judge(carom, drillOf(step(cushions), "white", "carom-10ft"), step(cushions), trace).fault;
+    const verdict = (trace: Trace, cushions: number) => judge(carom, step(cushions), trace).fault;
     // A half-ball hit from the red to the yellow, without a cushion.
     const places: Places = { white: [1, 2], red: [1, 4], yellow: [2.2, 5.2] };
     const traces = Array.from({ length: 60 }, (_, k) =>
@@ -167,7 +156,7 @@ describe("a run", () => {
     goal: { kind: "run", balls, order },
   });
   const ofRun = (step: Step, trace: Trace, left: readonly string[]) =>
-    judge(cloth, drillOf(step), step, trace, left);
+    judge(cloth, step, trace, left);
   /** The 1 falls; the 2 and the 8 lie far away. */
   const pot = (more: Places = { "2": [0.5, 2], "8": [3.5, 2] }) =>
     traceOf({ cue: [2, 6], "1": [3, 7], ...more }, { azimuth_deg: 45, height: -0.3 });
@@ -246,10 +235,10 @@ describe("a place", () => {
   });
 
   test("is outside of the D above the baulk line", () => {
-    const snooker = clothOf(engine, "snooker-12ft");
-    const region = regionOf(snooker, { marking: "d" }, {});
-    expect(distanceTo(region, [0.889, 0.6])).toBe(0);
-    expect(distanceTo(region, [0.889, 0.747])).toBeCloseTo(0.01, 9);
-    expect(distanceTo(region, [0.889, 0.4])).toBeCloseTo(0.737 - 0.292 - 0.4, 9);
+    const outside = (y: number) =>
+      engine.areaDistance({ marking: "d" }, "snooker-12ft", [0.889, y]);
+    expect(outside(0.6)).toBe(0);
+    expect(outside(0.747)).toBeCloseTo(0.01, 9);
+    expect(outside(0.4)).toBeCloseTo(0.737 - 0.292 - 0.4, 9);
   });
 });

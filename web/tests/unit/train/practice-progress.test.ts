@@ -1,5 +1,5 @@
 import { describe, expect, test } from "vitest";
-import { type Box, Keeper } from "../../../src/app/train/progress/progress-keeper.ts";
+import type { DrillFile } from "../../../src/engine/index.ts";
 import {
   bestOf,
   DamagedProgress,
@@ -13,6 +13,9 @@ import {
   streakOf,
 } from "../../../src/app/train/progress/practice-progress.ts";
 
+/** The engine of a file. */
+const ENGINE = "carom 0.0.1";
+
 const result = (day: number, points: readonly number[], drill = "stop"): Result => ({
   drill,
   ended: `2026-11-${String(day).padStart(2, "0")}T10:00:00.000Z`,
@@ -21,23 +24,40 @@ const result = (day: number, points: readonly number[], drill = "stop"): Result 
   errors: null,
 });
 const solved = (date: string, tries = 1) => ({ date, tries, solved: true });
+const drill = (name: string, attempts = 10): DrillFile => ({
+  format: "carom-drill/1",
+  name,
+  table: "wpa-9ft",
+  attempts,
+  steps: [],
+});
 const SOME: Progress = {
   results: [result(3, [1, 0, 2]), result(5, [1, 2, 3])],
   puzzles: [solved("2026-11-03", 2), { date: "2026-11-04", tries: 3, solved: false }],
+  attempts: [{ puzzle: "cut-17", time: "2026-11-03T10:00:00.000Z", made: true, rating: 1480 }],
+  drills: [drill("Long straight")],
 };
 
 describe("a progress file", () => {
   test("has everything that was in the progress", () => {
-    expect(progressOfText(progressToText(SOME))).toEqual(SOME);
-    expect(JSON.parse(progressToText(NOTHING))).toEqual({
+    expect(progressOfText(progressToText(SOME, ENGINE))).toEqual(SOME);
+    expect(JSON.parse(progressToText(NOTHING, ENGINE))).toEqual({
       format: "carom-progress/1",
+      engine: ENGINE,
       results: [],
       puzzles: [],
+      attempts: [],
+      drills: [],
     });
   });
 
+  test("of an earlier version, without attempts and drills, is read", () => {
+    const earlier = '{"format":"carom-progress/1","results":[],"puzzles":[]}';
+    expect(progressOfText(earlier)).toEqual(NOTHING);
+  });
+
   const text = (change: (file: Record<string, unknown[]>) => void) => {
-    const file = JSON.parse(progressToText(SOME)) as Record<string, unknown[]>;
+    const file = JSON.parse(progressToText(SOME, ENGINE)) as Record<string, unknown[]>;
     change(file);
     return JSON.stringify(file);
   };
@@ -50,7 +70,7 @@ describe("a progress file", () => {
     ["{", "json", ""],
     ["null", "format", ""],
     ['{"format": "carom-shot/1"}', "format", ""],
-    [progressToText(SOME).slice(0, -20), "json", ""],
+    [progressToText(SOME, ENGINE).slice(0, -20), "json", ""],
     [text((file) => delete file.puzzles), "value", "puzzles"],
     [text((file) => (file.results![1] = 7)), "value", "results[1]"],
     [set("results", 1, { points: [1, -1] }), "value", "results[1].points"],
@@ -64,6 +84,12 @@ describe("a progress file", () => {
     [set("puzzles", 1, { date: "2026-02-30" }), "value", "puzzles[1].date"],
     [set("puzzles", 1, { tries: "3" }), "value", "puzzles[1].tries"],
     [set("puzzles", 1, { solved: 1 }), "value", "puzzles[1].solved"],
+    [set("attempts", 0, { puzzle: 17 }), "value", "attempts[0].puzzle"],
+    [set("attempts", 0, { time: "now" }), "value", "attempts[0].time"],
+    [set("attempts", 0, { made: 1 }), "value", "attempts[0].made"],
+    [set("attempts", 0, { rating: -1 }), "value", "attempts[0].rating"],
+    [set("drills", 0, { format: "carom-shot/1" }), "value", "drills[0].format"],
+    [set("drills", 0, { name: "" }), "value", "drills[0].name"],
   ])("that is damaged is refused with the place: %#", (damaged, fault, place) => {
     let error: unknown;
     try {
@@ -76,14 +102,14 @@ describe("a progress file", () => {
   });
 
   test("of a drill that this version does not have is kept", () => {
-    const other = { results: [result(1, [4], "of-tomorrow")], puzzles: [] };
-    expect(progressOfText(progressToText(other))).toEqual(other);
+    const other = { ...NOTHING, results: [result(1, [4], "of-tomorrow")] };
+    expect(progressOfText(progressToText(other, ENGINE))).toEqual(other);
   });
 });
 
 describe("two progresses", () => {
   test("are merged without duplicates, in the order of time", () => {
-    const other = { results: [result(4, [2]), SOME.results[0]!], puzzles: [] };
+    const other = { ...NOTHING, results: [result(4, [2]), SOME.results[0]!] };
     const all = merged(SOME, other);
     expect(all.results.map(({ ended }) => Number(ended.slice(8, 10)))).toEqual([3, 4, 5]);
     expect(merged(all, SOME)).toEqual(all);
@@ -99,11 +125,20 @@ describe("two progresses", () => {
       [open, { ...open, tries: 2 }, open],
     ] as const;
     for (const [a, b, best] of cases) {
-      const of = (one: typeof a) => ({ results: [], puzzles: [one] });
+      const of = (one: typeof a) => ({ ...NOTHING, puzzles: [one] });
       expect(merged(of(a), of(b)).puzzles).toEqual([best]);
       expect(merged(of(b), of(a)).puzzles).toEqual([best]);
     }
   });
+});
+
+test("drills of one name stay beside each other, and the same drill is there once", () => {
+  const one = { ...NOTHING, drills: [drill("A")] };
+  expect(merged(one, one).drills).toEqual([drill("A")]);
+  const both = merged(one, { ...NOTHING, drills: [drill("A", 5)] });
+  expect(both.drills).toEqual([drill("A"), drill("A (2)", 5)]);
+  expect(merged(both, one)).toEqual(both);
+  expect(merged(both, { ...NOTHING, drills: [drill("A", 5)] })).toEqual(both);
 });
 
 test("the best score is the largest sum of points", () => {
@@ -113,7 +148,7 @@ test("the best score is the largest sum of points", () => {
 
 test("a streak counts solved days in a row, and is not lost before the day is over", () => {
   const days = ["2026-02-27", "2026-02-28", "2026-03-01", "2026-03-03"];
-  const of = { results: [], puzzles: days.map((date) => solved(date)) };
+  const of = { ...NOTHING, puzzles: days.map((date) => solved(date)) };
   expect(streakOf(of, "2026-03-01")).toBe(3);
   expect(streakOf(of, "2026-03-02")).toBe(3);
   expect(streakOf(of, "2026-03-03")).toBe(1);
@@ -123,101 +158,4 @@ test("a streak counts solved days in a row, and is not lost before the day is ov
 
 test("a day is that of universal time", () => {
   expect(dayOf(new Date("2026-11-23T23:59:59-05:00"))).toBe("2026-11-24");
-});
-
-/** A storage in memory. */
-function box(first: Record<string, string> = {}): Box & { readonly texts: Map<string, string> } {
-  const texts = new Map(Object.entries(first));
-  return {
-    texts,
-    getItem: (key) => texts.get(key) ?? null,
-    setItem: (key, value) => void texts.set(key, value),
-    removeItem: (key) => void texts.delete(key),
-  };
-}
-
-describe("the progress in the browser", () => {
-  test("is there again when the page is opened again", () => {
-    const storage = box();
-    new Keeper(storage).add(SOME);
-    const again = new Keeper(storage);
-    expect(again.progress).toEqual(SOME);
-    expect([again.isKept, again.damaged]).toEqual([true, null]);
-  });
-
-  test("lasts as long as the page where there is no storage", () => {
-    const broken: Box = {
-      getItem: () => {
-        throw new Error("denied");
-      },
-      setItem: () => undefined,
-      removeItem: () => undefined,
-    };
-    for (const storage of [null, broken]) {
-      const keeper = new Keeper(storage);
-      keeper.addResult(result(3, [1]));
-      keeper.addPuzzle(solved("2026-11-03"));
-      expect(keeper.isKept).toBe(false);
-      expect(keeper.progress.results).toHaveLength(1);
-      expect(keeper.progress.puzzles).toHaveLength(1);
-    }
-  });
-
-  test("is not overwritten when the storage is full, and the page can warn of it", () => {
-    const storage = box();
-    new Keeper(storage).add(SOME);
-    const before = storage.texts.get("carom-progress");
-    const keeper = new Keeper({
-      ...storage,
-      setItem: () => {
-        throw new Error("full");
-      },
-    });
-    keeper.addResult(result(9, [1]));
-    expect(keeper.isKept).toBe(false);
-    expect(keeper.progress.results).toHaveLength(3);
-    expect(storage.texts.get("carom-progress")).toBe(before);
-  });
-
-  test("is set aside if it is damaged, each time under another name", () => {
-    const storage = box({ "carom-progress": "{", "carom-progress-damaged-1": "older" });
-    const keeper = new Keeper(storage);
-    expect(keeper.damaged).toBe("{");
-    keeper.addResult(result(3, [1]));
-    expect(storage.texts.get("carom-progress-damaged-1")).toBe("older");
-    expect(storage.texts.get("carom-progress-damaged-2")).toBe("{");
-    expect(new Keeper(storage).progress.results).toHaveLength(1);
-  });
-
-  test("has the results of two tabs", () => {
-    const storage = box();
-    const [one, two] = [new Keeper(storage), new Keeper(storage)];
-    one.addResult(result(3, [1]));
-    two.addResult(result(4, [2]));
-    one.refresh();
-    expect(one.progress.results).toHaveLength(2);
-    expect(new Keeper(storage).progress.results).toHaveLength(2);
-  });
-
-  test("is deleted in every tab, and does not come back with the next result", () => {
-    const storage = box();
-    const [one, two] = [new Keeper(storage), new Keeper(storage)];
-    one.add(SOME);
-    two.refresh();
-    two.clear();
-    expect([two.progress, storage.texts.has("carom-progress")]).toEqual([NOTHING, false]);
-    one.refresh();
-    expect(one.progress).toEqual(NOTHING);
-    two.add(SOME);
-    two.clear();
-    one.addResult(result(4, [2]));
-    expect(new Keeper(storage).progress.results).toEqual([result(4, [2])]);
-  });
-
-  test("is deleted where there is no storage", () => {
-    const keeper = new Keeper(null);
-    keeper.add(SOME);
-    keeper.clear();
-    expect(keeper.progress).toEqual(NOTHING);
-  });
 });

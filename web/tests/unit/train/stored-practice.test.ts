@@ -37,6 +37,9 @@ test.each([
       { left: [1] },
       { puzzle: {} },
       { puzzle: { drill: {}, date: "2026-11-24" } },
+      { puzzle: { id: "cut-17" } },
+      { hints: "1" },
+      { seen: 1 },
       { said: undefined },
     ] as const
   ).map((change) => [

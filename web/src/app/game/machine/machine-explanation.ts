@@ -4,6 +4,7 @@ import { CaromError, type Recommendation } from "../../../engine/index.ts";
 import type { Context } from "../../common/context.ts";
 import { h, setText } from "../../common/dom.ts";
 import { ballName, pocketName } from "../../common/shot-words.ts";
+import { estimatedPercent } from "../../common/units.ts";
 import type { Game } from "../../document/stored-game.ts";
 import type { Store } from "../../document/store.ts";
 import { standing } from "../awaited-turn.ts";
@@ -71,13 +72,13 @@ export function reasonInWords(reason: Reason | null): string {
   const { meant, instead, expected } = reason;
   const other = instead && {
     play: playInWords(instead),
-    win: percent(instead.win_chance),
+    win: estimated(instead.win_chance),
   };
   const said = meant
     ? [...chancesInWords(meant), other ? t("reason.instead", other) : ""]
     : [
         t("reason.none"),
-        expected === null ? "" : t("reason.win", { win: percent(expected) }),
+        expected === null ? "" : t("reason.win", { win: estimated(expected) }),
         other ? t("reason.prefers", other) : "",
       ];
   return paragraph(said.filter(Boolean).map(sentence));
@@ -88,17 +89,17 @@ function chancesInWords(meant: Recommendation): string[] {
   const chances = [
     t("reason.meant", { play: playInWords(meant) }),
     t("reason.chances", {
-      kept: percent(meant.kept.probability),
-      foul: percent(meant.foul.probability),
+      kept: estimated(meant.kept.probability),
+      foul: estimated(meant.foul.probability),
     }),
-    t("reason.win", { win: percent(meant.win_chance) }),
+    t("reason.win", { win: estimated(meant.win_chance) }),
   ];
   // After a safety the other player shoots: both cases would repeat what is said.
   if (Math.round(100 * meant.kept.probability) === 0) return chances;
   return [
     ...chances,
-    kept === null ? "" : t("reason.if-kept", { win: percent(kept) }),
-    missed === null ? "" : t("reason.if-missed", { win: percent(missed) }),
+    kept === null ? "" : t("reason.if-kept", { win: estimated(kept) }),
+    missed === null ? "" : t("reason.if-missed", { win: estimated(missed) }),
   ];
 }
 
@@ -126,4 +127,9 @@ export function playInWords({ kind, ball, pocket, legs }: Recommendation): strin
 /** A probability in percent, as text. */
 export function percent(probability: number): string {
   return decimal(100 * probability, 0);
+}
+
+/** The same for what a machine expected, which no simulation makes certain. */
+function estimated(probability: number): string {
+  return decimal(estimatedPercent(probability));
 }

@@ -16,6 +16,11 @@ export function trayOf({ start }: Progress, lying: Readonly<Record<string, unkno
   return start.balls.map(({ id }) => id).filter((id) => id !== cue && !Object.hasOwn(lying, id));
 }
 
+/** What stands on a ball of the tray: the number that the table shows. Reds have none. */
+export function trayLabel(id: string): string {
+  return /^\d+$/.test(id) ? id : "";
+}
+
 export function mountTray(root: HTMLElement, store: Store, context: Context): void {
   const { engine } = context;
   const tray = h("div", { class: "tray", role: "img", hidden: true });
@@ -30,7 +35,7 @@ export function mountTray(root: HTMLElement, store: Store, context: Context): vo
     tray.setAttribute("aria-label", t("tray.balls", { balls: list(balls.map(ballName)) }));
     tray.replaceChildren(
       ...balls.map((id, index) => {
-        const label = h("span", {}, id.replace(/^\D+/, ""));
+        const label = h("span", {}, trayLabel(id));
         return h("span", { class: "potted" }, swatch(id, index), label);
       }),
     );

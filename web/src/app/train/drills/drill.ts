@@ -3,6 +3,7 @@
  * of its length, from the bottom left corner, on tables without diamonds too.
  */
 
+import type { ConditionOf, GoalOf, ZoneOf } from "../../../engine/goal.ts";
 import type { PocketName } from "../../../engine/types.ts";
 
 /** x from 0 to 4 across the table, y from 0 to 8 along it. */
@@ -30,53 +31,26 @@ export type Place =
 export type Area =
   | { readonly center: Place; readonly radius: number }
   | { readonly from: Diamonds; readonly to: Diamonds }
+  | { readonly outline: readonly Diamonds[] }
   /** The D of a snooker table. */
   | { readonly marking: "d" };
 
 /** What a shot must do. Every shot must also keep the cue ball on the table. */
-export type Condition =
-  /** The ball falls, into the pocket if one is given. */
-  | { readonly kind: "pot"; readonly ball: string; readonly pocket?: PocketName }
-  /** A ball falls that is not the cue ball. */
-  | { readonly kind: "pot-any" }
-  /** The cue ball meets this ball first. */
-  | { readonly kind: "first"; readonly ball: string }
-  /** The cue ball meets `cushions` cushions or more before a ball. */
-  | { readonly kind: "kick"; readonly cushions: number }
-  /** The ball meets `cushions` cushions or more. */
-  | { readonly kind: "cushions"; readonly ball: string; readonly cushions: number }
-  /** The cue ball meets both other balls, the second after `cushions` cushions or more. */
-  | { readonly kind: "carom"; readonly cushions: number }
-  /** The cue ball stops in the area. */
-  | { readonly kind: "stop"; readonly area: Area }
-  /** At the end the cue ball cannot meet the ball on a straight line. */
-  | { readonly kind: "hidden"; readonly ball: string };
+export type Condition = ConditionOf<Area>;
 
 /** Points for the place where the cue ball stops. */
-export interface Zone {
-  readonly area: Area;
-  readonly points: number;
-}
+export type Zone = ZoneOf<Area>;
 
-/** An attempt of one shot: a point if it meets its conditions, or the points of the first zone. */
-export interface ShotGoal {
-  readonly kind: "shot";
-  readonly needs: readonly Condition[];
-  /** From the smallest area to the largest. */
-  readonly zones?: readonly Zone[];
-}
+/** An attempt of one shot: its points if it meets its conditions, or the points of the first zone. */
+export type ShotGoal = Extract<GoalOf<Area>, { kind: "shot" }>;
 
-/** An attempt of several shots, until one fails or the last ball falls: a point for every ball. */
-export interface RunGoal {
-  readonly kind: "run";
-  readonly balls: readonly string[];
-  /**
-   * "eight": in any order, but the last ball of the list must be met and fall last. "rotation": the first
-   * ball of the list that is left must be met first; the last ball ends the run whenever it falls.
-   * "sequence": the first ball that is left must fall, and no other.
-   */
-  readonly order: "eight" | "rotation" | "sequence";
-}
+/**
+ * An attempt of several shots, until one fails or the last ball falls: a point for every ball. "eight": in
+ * any order, but the last ball of the list must be met and fall last. "rotation": the first ball of the list
+ * that is left must be met first; the last ball ends the run whenever it falls. "sequence": the first ball
+ * that is left must fall, and no other.
+ */
+export type RunGoal = Extract<GoalOf<Area>, { kind: "run" }>;
 
 /** A layout with its goal. */
 export interface Step {
@@ -90,15 +64,20 @@ export interface Step {
 }
 
 export interface Drill {
-  /** Its texts have the keys `drill.<id>` and `drill-goal.<id>`. */
+  /** Its texts have the keys `drill.<id>` and `drill-goal.<id>`, unless it has a name of its own. */
   readonly id: string;
-  readonly table: "wpa-9ft" | "snooker-12ft" | "carom-10ft";
+  /** Name and description of a drill that a user has made. */
+  readonly name?: string;
+  readonly text?: string;
+  readonly table: string;
   /** Id of the cue ball. */
   readonly cue: string;
   readonly attempts: number;
+  /** After this number of misses the drill ends early. */
+  readonly misses?: number;
   /**
    * Which step the next attempt has. "ladder": the next one after success, the one before after a failure;
-   * step k gives k points. "turns": one step after another. A drill of one step has "same".
+   * step k gives k points, unless its goal has points of its own. "turns": one step after another. A drill of one step has "same".
    */
   readonly order: "same" | "ladder" | "turns";
   readonly steps: readonly Step[];

@@ -1,5 +1,6 @@
-/** What a player has practised: results of drills and of the puzzles of the day. As a file, carom-progress/1. */
+/** What a player has practised: results of drills and puzzles, and own drills. As a file, carom-progress/1. */
 
+import type { DrillFile } from "../../../engine/index.ts";
 import { total } from "../drill-score.ts";
 
 export const FORMAT = "carom-progress/1";
@@ -27,16 +28,35 @@ export interface PuzzleResult {
   readonly solved: boolean;
 }
 
-export interface Progress {
-  readonly results: readonly Result[];
-  readonly puzzles: readonly PuzzleResult[];
+/** A puzzle at its first shot or hint. */
+export interface PuzzleAttempt {
+  /** Its id, such as `cut-17`. */
+  readonly puzzle: string;
+  /** When: as `Result.ended`. */
+  readonly time: string;
+  /** Whether the first shot solved it, without help. */
+  readonly made: boolean;
+  /** Its difficulty. */
+  readonly rating: number;
 }
 
-export const NOTHING: Progress = { results: [], puzzles: [] };
+export interface Progress {
+  readonly results: readonly Result[];
+  /** The puzzles of the day. */
+  readonly puzzles: readonly PuzzleResult[];
+  readonly attempts: readonly PuzzleAttempt[];
+  /** The drills that the user has made or opened, each under a name of its own. */
+  readonly drills: readonly DrillFile[];
+}
+
+export const NOTHING: Progress = { results: [], puzzles: [], attempts: [], drills: [] };
 
 /** Largest numbers that a file may have: far beyond what a drill gives. */
 const MOST_ATTEMPTS = 1000;
 const MOST_POINTS = 1000;
+const MOST_RATING = 10_000;
+/** Longest id of a puzzle, and name of a drill. */
+const LONGEST_ID = 120;
 
 /** A progress that cannot be read. */
 export class DamagedProgress extends Error {
@@ -52,13 +72,15 @@ export class DamagedProgress extends Error {
   }
 }
 
-export function progressToText(progress: Progress): string {
-  return `${JSON.stringify(progressToData(progress))}\n`;
+/** @param engine Name and version of the engine. */
+export function progressToText(progress: Progress, engine: string): string {
+  const { format, ...rest } = progressToData(progress);
+  return `${JSON.stringify({ format, engine, ...rest })}\n`;
 }
 
 /** The progress as it is in a file. */
-export function progressToData({ results, puzzles }: Progress): object {
-  return { format: FORMAT, results, puzzles };
+export function progressToData(progress: Progress): Progress & { readonly format: typeof FORMAT } {
+  return { format: FORMAT, ...progress };
 }
 
 /** @throws {DamagedProgress} */
@@ -72,6 +94,9 @@ export function progressOfData(file: unknown): Progress {
   return {
     results: listOf(file, "results").map((entry, k) => resultOf(entry, `results[${k}]`)),
     puzzles: listOf(file, "puzzles").map((entry, k) => puzzleOf(entry, `puzzles[${k}]`)),
+    // Files of earlier versions do not have them.
+    attempts: optionalOf(file, "attempts").map((entry, k) => attemptOf(entry, `attempts[${k}]`)),
+    drills: optionalOf(file, "drills").map((entry, k) => drillOf(entry, `drills[${k}]`)),
   };
 }
 
@@ -86,7 +111,30 @@ export function merged(a: Progress, b: Progress): Progress {
   return {
     results: [...results.values()].sort((x, y) => compare(x.ended, y.ended)),
     puzzles: [...puzzles.values()].sort((x, y) => compare(x.date, y.date)),
+    attempts: unique([...a.attempts, ...b.attempts]).sort((x, y) => compare(x.time, y.time)),
+    drills: b.drills.reduce(withDrill, a.drills),
   };
+}
+
+function unique<T>(list: readonly T[]): T[] {
+  return [...new Map(list.map((one) => [JSON.stringify(one), one])).values()];
+}
+
+/** The drills with another one: under a name that is free, unless the same one is there. */
+export function withDrill(drills: readonly DrillFile[], drill: DrillFile): readonly DrillFile[] {
+  if (sameDrill(drills, drill)) return drills;
+  const base = drill.name.replace(/ \(\d+\)$/, "");
+  for (let number = 1; ; number += 1) {
+    const name = number === 1 ? drill.name : `${base} (${number})`;
+    if (drills.every((one) => one.name !== name)) return [...drills, { ...drill, name }];
+  }
+}
+
+/** The drill with the same name, up to its number, and the same contents; undefined if there is none. */
+export function sameDrill(drills: readonly DrillFile[], drill: DrillFile): DrillFile | undefined {
+  const text = (one: DrillFile) =>
+    JSON.stringify({ ...one, name: one.name.replace(/ \(\d+\)$/, "") });
+  return drills.find((one) => text(one) === text(drill));
 }
 
 /** Two results are the same one if all their values are. */
@@ -153,6 +201,27 @@ function listOf(file: Entries, key: string): readonly unknown[] {
   const list = file[key];
   if (!Array.isArray(list)) throw new DamagedProgress("value", key);
   return list;
+}
+
+function optionalOf(file: Entries, key: string): readonly unknown[] {
+  return Object.hasOwn(file, key) ? listOf(file, key) : [];
+}
+
+function attemptOf(entry: unknown, place: string): PuzzleAttempt {
+  const { puzzle, time, made, rating } = objectAt(entry, place);
+  check(typeof puzzle === "string" && puzzle.length <= LONGEST_ID, `${place}.puzzle`);
+  check(typeof time === "string" && isTime(time), `${place}.time`);
+  check(typeof made === "boolean", `${place}.made`);
+  check(isCount(rating, MOST_RATING), `${place}.rating`);
+  return { puzzle, time, made, rating };
+}
+
+/** A drill whose name is there; the engine checks the rest when it is opened. */
+function drillOf(entry: unknown, place: string): DrillFile {
+  const { name, format } = objectAt(entry, place);
+  check(format === "carom-drill/1", `${place}.format`);
+  check(typeof name === "string" && name !== "" && name.length <= LONGEST_ID, `${place}.name`);
+  return entry as DrillFile;
 }
 
 function resultOf(entry: unknown, place: string): Result {

@@ -1,81 +1,129 @@
-/** Keeps the progress in the browser's storage, or in memory where there is none. */
+/** Keeps the progress in the browser's database, or in memory where there is none. */
 
+import type { DrillFile } from "../../../engine/index.ts";
+import { type Box, earlierProgress } from "./earlier-progress.ts";
 import {
-  DamagedProgress,
-  merged,
   NOTHING,
   type Progress,
-  progressOfText,
-  progressToText,
+  type PuzzleAttempt,
   type PuzzleResult,
   type Result,
+  sameDrill,
+  withDrill,
 } from "./practice-progress.ts";
+import {
+  entriesOf,
+  idsOfDrill,
+  type ProgressEntry,
+  progressOfEntries,
+  type StoredProgress,
+} from "./progress-entries.ts";
 
-/** Name of the progress in the browser's storage, and of copies that could not be read. */
-const STORED = "carom-progress";
-const DAMAGED = "carom-progress-damaged";
-
-/** The part of the browser's storage that is used. */
-export type Box = Pick<Storage, "getItem" | "setItem" | "removeItem">;
+/** The part of the browser's database that is used: see `KeptStorage`. */
+export interface ProgressStorage {
+  all(table: "progress"): Promise<readonly unknown[]>;
+  put(table: "progress", ...entries: readonly ProgressEntry[]): Promise<boolean>;
+  remove(table: "progress", ...ids: readonly string[]): Promise<void>;
+  readonly fault: unknown;
+}
 
 export class Keeper {
-  readonly #box: Box | null;
+  /** When what is stored is read, and an earlier version's progress is moved over. */
+  readonly ready: Promise<void>;
+  readonly #storage: ProgressStorage | null;
   readonly #listeners = new Set<() => void>();
-  #present: Progress = NOTHING;
-  #isKept = true;
-  #damaged: string | null = null;
+  /** By their ids, those that are being stored too. */
+  readonly #entries = new Map<string, ProgressEntry>();
+  /** Whether the browser refused to store the last ones. */
+  #isRefused = false;
+  #stored: StoredProgress = { progress: NOTHING, damaged: null };
+  /** The ids of those that the browser did not store. They are in memory, and sent again with the next ones. */
+  readonly #unkept = new Set<string>();
+  /** Called when something was stored or deleted, for other tabs. */
+  onStored: () => void = () => undefined;
 
-  /** @param box Null if the browser has no storage for this page. */
-  constructor(box: Box | null) {
-    this.#box = box;
-    this.#read();
+  /**
+   * @param storage Null if the page keeps nothing.
+   * @param box Where earlier versions kept the progress; null if there is none.
+   */
+  constructor(storage: ProgressStorage | null, box: Box | null) {
+    this.#storage = storage;
+    this.ready = this.#start(box);
   }
 
   get progress(): Progress {
-    return this.#present;
+    return this.#stored.progress;
   }
 
   /** Whether the progress is still there when the page is opened again. */
   get isKept(): boolean {
-    return this.#isKept;
+    return this.#storage !== null && !this.#storage.fault && !this.#isRefused;
   }
 
-  /** What was stored and could not be read; null if nothing was. It is set aside, not lost. */
+  /** What is stored and cannot be read; null if there is nothing. It stays, and nothing overwrites it. */
   get damaged(): string | null {
-    return this.#damaged;
+    return this.#stored.damaged;
   }
 
   addResult(result: Result): void {
-    this.add({ results: [result], puzzles: [] });
+    void this.add({ ...NOTHING, results: [result] });
   }
 
   addPuzzle(puzzle: PuzzleResult): void {
-    this.add({ results: [], puzzles: [puzzle] });
+    void this.add({ ...NOTHING, puzzles: [puzzle] });
   }
 
-  /** Adds what is not there yet. */
-  add(more: Progress): void {
-    // Another tab may have stored something since.
-    this.#read();
-    this.#present = merged(this.#present, more);
-    this.#write();
-    this.#changed();
+  addAttempt(attempt: PuzzleAttempt): void {
+    void this.add({ ...NOTHING, attempts: [attempt] });
   }
 
-  /** Deletes the progress. Damaged copies that were set aside stay. */
+  /**
+   * Adds a drill, in place of the one with the name `replaced`.
+   *
+   * @returns The name under which it is kept.
+   */
+  addDrill(drill: DrillFile, replaced: string | null = null): string {
+    const before = this.progress.drills.find(({ name }) => name === replaced);
+    const others = this.progress.drills.filter((one) => one !== before);
+    const there = sameDrill(others, drill);
+    const named = there ?? withDrill(others, drill).at(-1)!;
+    const old = before ? idsOfDrill(this.#entries.values(), before) : [];
+    const added = there ? [] : entriesOf({ ...NOTHING, drills: [named] });
+    void this.#change(added, old);
+    return named.name;
+  }
+
+  /** Deletes a drill; its results stay. */
+  deleteDrill(name: string): void {
+    const drill = this.progress.drills.find((one) => one.name === name);
+    if (drill) void this.#change([], idsOfDrill(this.#entries.values(), drill));
+  }
+
+  /** Adds what is not there yet. @returns Whether the browser has stored it. */
+  async add(more: Progress): Promise<boolean> {
+    const drills = more.drills.filter((drill) => !sameDrill(this.progress.drills, drill));
+    const entries = entriesOf({ ...more, drills }).filter(({ id }) => !this.#entries.has(id));
+    return this.#change(entries, []);
+  }
+
+  /** Deletes the results. Drills that the user has made stay, and what could not be read. */
   clear(): void {
-    this.#present = NOTHING;
-    try {
-      this.#box?.removeItem(STORED);
-    } catch {
-      this.#isKept = false;
-    }
-    this.#changed();
+    const results = [...this.#entries.values()].filter(({ kind }) =>
+      ["results", "puzzles", "attempts"].includes(kind),
+    );
+    void this.#change(
+      [],
+      results.map(({ id }) => id),
+    );
   }
 
   /** Reads what another tab has stored, or forgets what it has deleted. */
-  refresh(): void {
-    this.#read();
+  async refresh(): Promise<void> {
+    const stored = ((await this.#storage?.all("progress")) ?? []) as readonly ProgressEntry[];
+    for (const id of [...this.#entries.keys()]) {
+      if (!this.#unkept.has(id)) this.#entries.delete(id);
+    }
+    for (const entry of stored) this.#entries.set(entry.id, entry);
     this.#changed();
   }
 
@@ -83,63 +131,47 @@ export class Keeper {
     this.#listeners.add(listener);
   }
 
+  async #start(box: Box | null): Promise<void> {
+    const stored = (await this.#storage?.all("progress")) as readonly ProgressEntry[] | undefined;
+    for (const entry of stored ?? []) this.#entries.set(entry.id, entry);
+    const earlier = earlierProgress(box);
+    if (earlier && (await this.#change(earlier.entries, []))) earlier.forget();
+    else this.#changed();
+  }
+
+  /** @returns Whether the browser has stored it. */
+  async #change(added: readonly ProgressEntry[], removed: readonly string[]): Promise<boolean> {
+    for (const id of removed) {
+      this.#entries.delete(id);
+      this.#unkept.delete(id);
+    }
+    for (const entry of added) {
+      this.#entries.set(entry.id, entry);
+      this.#unkept.add(entry.id);
+    }
+    // Sent before anything else, since the page may be closed in the next moment.
+    const sent = [...this.#unkept].flatMap((id) => this.#entries.get(id) ?? []);
+    const storing = this.#store(sent, removed);
+    this.#changed();
+    const isStored = await storing;
+    this.#isRefused = !isStored;
+    if (isStored) {
+      for (const { id } of sent) this.#unkept.delete(id);
+    }
+    this.#changed();
+    this.onStored();
+    return isStored;
+  }
+
+  async #store(added: readonly ProgressEntry[], removed: readonly string[]): Promise<boolean> {
+    if (!this.#storage) return false;
+    const storing = added.length > 0 ? this.#storage.put("progress", ...added) : true;
+    if (removed.length > 0) await this.#storage.remove("progress", ...removed);
+    return storing;
+  }
+
   #changed(): void {
+    this.#stored = progressOfEntries(this.#entries.values());
     for (const listener of this.#listeners) listener();
-  }
-
-  #read(): void {
-    let text: string | null;
-    try {
-      if (!this.#box) throw new Error("no storage");
-      text = this.#box.getItem(STORED);
-    } catch {
-      this.#isKept = false;
-      return;
-    }
-    // What could not be stored is in memory alone.
-    const unkept = this.#isKept ? NOTHING : this.#present;
-    if (text === null) {
-      this.#present = unkept;
-      return;
-    }
-    try {
-      this.#present = merged(progressOfText(text), unkept);
-    } catch (error) {
-      if (!(error instanceof DamagedProgress)) throw error;
-      this.#setAside(text);
-    }
-  }
-
-  /** Moves a text that cannot be read to a name of its own, so that it is not overwritten. */
-  #setAside(text: string): void {
-    this.#damaged = text;
-    try {
-      let number = 1;
-      while (this.#box!.getItem(`${DAMAGED}-${number}`) !== null) number += 1;
-      this.#box!.setItem(`${DAMAGED}-${number}`, text);
-      this.#box!.removeItem(STORED);
-    } catch {
-      // There is no room for a copy: the original stays, and nothing more is stored.
-      this.#isKept = false;
-    }
-  }
-
-  #write(): void {
-    if (!this.#isKept) return;
-    try {
-      this.#box!.setItem(STORED, progressToText(this.#present));
-    } catch {
-      this.#isKept = false;
-    }
-  }
-}
-
-/** The browser's storage; null where a page may not use it. */
-export function browserBox(): Box | null {
-  try {
-    return localStorage;
-  } catch {
-    // Some frames and browsers have no storage.
-    return null;
   }
 }

@@ -1,11 +1,11 @@
 /** The messages between the page and the worker that makes puzzles. */
 
-import type { Puzzle } from "./daily-puzzle.ts";
+import type { Puzzle } from "../../../engine/index.ts";
 
 export interface ToMaker {
   readonly module: WebAssembly.Module;
-  /** "2026-11-23", UTC. */
-  readonly date: string;
+  /** Such as `cut-17`. */
+  readonly id: string;
 }
 
 export type FromMaker =

@@ -4,7 +4,7 @@ import type { Translation } from "../entry.ts";
 export const texts: Translation<typeof en.aim> = {
   "aim.tip": "Treffpunkt",
   "aim.tip-hint":
-    "Klicken Sie auf den Ball, oder nehmen Sie die Pfeiltasten: links und rechts für Effet, oben für Nachläufer, unten für Rückläufer. Außerhalb des gestrichelten Kreises rutscht das Queue ab.",
+    "Klicken Sie auf die Kugel, oder nehmen Sie die Pfeiltasten: links und rechts für Effet, oben für Nachläufer, unten für Rückläufer. Außerhalb des gestrichelten Kreises rutscht das Queue ab.",
   "aim.stroke": "Stoß",
   "aim.side": "Seite",
   "aim.height": "Höhe",
@@ -84,14 +84,14 @@ export const texts: Translation<typeof en.aim> = {
 
   "aim.diamonds": "Diamantsystem",
   "aim.diamonds-hint":
-    "Für einen Vorbänder oder die Bande eines Balls: die Zahlen eines veröffentlichten Systems, wo die Linie die Diamanten kreuzt, sein Ziel (Ring) und wo der Ball ankommt (Punkt).",
+    "Für einen Vorbänder oder die Bande einer Kugel: die Zahlen eines veröffentlichten Systems, wo die Linie die Diamanten kreuzt, sein Ziel (Ring) und wo die Kugel ankommt (Punkt).",
 
   "diamonds.corner-five": "Corner-Five: {from} − {over} = {predicted}.",
   "diamonds.plus": "Plus-System: {from} + {over} = {predicted}.",
   "diamonds.two-to-one": "Zwei zu eins: 2 × {over} − {from} = {predicted}.",
-  "diamonds.actual": "{said} Der Ball kommt bei {actual} an: {difference} Diamanten daneben.",
-  "diamonds.equal": "{said} Der Ball kommt dort an.",
-  "diamonds.not-there": "{said} Der Ball kommt nicht dorthin.",
+  "diamonds.actual": "{said} Die Kugel kommt bei {actual} an: {difference} Diamanten daneben.",
+  "diamonds.equal": "{said} Die Kugel kommt dort an.",
+  "diamonds.not-there": "{said} Die Kugel kommt nicht dorthin.",
   "diamonds.none":
     "Zu dieser Linie passt kein Diamantsystem: Zielen Sie über eine, zwei oder drei Banden.",
 };

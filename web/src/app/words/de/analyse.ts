@@ -47,6 +47,7 @@ export const texts: Translation<typeof en.analyse> = {
   "lines.leave-unknown": "Wo der Spielball stoppt, ist nicht bekannt.",
 
   "why.why": "Warum?",
+  "why.best": "Warum ist Stoß 1 der beste?",
   "why.ask": "Warum ist Stoß {a} besser als Stoß {b}?",
   "why.equal": "Stoß {a} und Stoß {b} sind praktisch gleich gut: {winA} und {winB} Sieg.",
   "why.better": "Stoß {a} gewinnt öfter als Stoß {b}: {winA} zu {winB}.",

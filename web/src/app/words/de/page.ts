@@ -24,9 +24,10 @@ export const texts: Translation<typeof en.page> = {
 
   "page.tools": "Werkzeuge",
   "page.activity": "Tätigkeit",
-  "activity.analyse": "Analysieren",
+  "activity.analyse": "Analyse",
   "activity.play": "Spielen",
   "activity.train": "Üben",
+  "activity.library": "Sammlung",
 
   "camera.top": "Von oben",
   "camera.orbit": "Freie Kamera: durch Ziehen drehen",
@@ -49,6 +50,7 @@ export const texts: Translation<typeof en.page> = {
   "tab.game": "Spiel",
   "tab.whatif": "Streuung",
   "tab.train": "Übungen",
+  "tab.library": "Sammlung",
 
   "steps.title": "Erste Schritte",
   "steps.pot":
@@ -58,7 +60,7 @@ export const texts: Translation<typeof en.page> = {
   "steps.well-done": "Gut gemacht.",
   "steps.again": "Noch nicht.",
   "steps.end":
-    "Gut gemacht. Die besten Stöße jeder Lage nennt das Analysieren; unter Spielen spielt man gegen die Maschine, unter Üben übt man.",
+    "Gut gemacht. Die besten Stöße jeder Lage nennt die Analyse; unter Spielen spielt man gegen die Maschine, unter Üben übt man.",
   "steps.skip": "Später",
   "steps.wait": "Die ersten Schritte warten: Rückgängig bringt sie zurück.",
   "language.label": "Sprache",
@@ -75,7 +77,7 @@ export const texts: Translation<typeof en.page> = {
     "Ziehen Sie auf dem Tuch, um das Queue zu drehen; es rastet ein, wo eine Kugel fällt. Oder tippen Sie auf das Tuch, um dorthin zu zielen. Ein langsamer Finger zielt fein, und ebenso das Rad am Rand des Tisches.",
   "help.strike": "Treffpunkt",
   "help.strike-text":
-    "Klicken Sie unter Zielen auf den Ball: Effet, Nachläufer oder Rückläufer. Daneben stehen Tempo, Neigung und Richtung.",
+    "Klicken Sie unter Zielen auf die Kugel: Effet, Nachläufer oder Rückläufer. Daneben stehen Tempo, Neigung und Richtung.",
   "help.ahead": "Vorausschau",
   "help.ahead-text":
     "Während Sie zielen, berechnet die Seite den ganzen Stoß, zeichnet die Wege der Kugeln und beschreibt unter dem Tisch, was geschieht.",

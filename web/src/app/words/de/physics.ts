@@ -136,7 +136,7 @@ export const texts: Translation<typeof en.physics> = {
   "hint.physics.liner.friction": "Reibbeiwert.",
   "hint.physics.slate.restitution": "Stoßzahl.",
   "hint.physics.slate.friction": "Reibbeiwert.",
-  "hint.physics.contact_times.tip": "Pomeranze am Ball, bei 1 m/s.",
+  "hint.physics.contact_times.tip": "Pomeranze an der Kugel, bei 1 m/s.",
   "hint.physics.contact_times.slate": "Kugel auf der Platte, bei 1 m/s.",
   "hint.physics.cue.model":
     "Gleichzeitig: Pomeranze, Platte und alles, was die Kugel berührt, wirken zugleich. Nacheinander: erst die Pomeranze, dann die Platte.",
@@ -144,13 +144,13 @@ export const texts: Translation<typeof en.physics> = {
     "Masse der Queuespitze, die den Spielball abdrängt (Squirt); 0 für ein Queue ohne Squirt.",
   "hint.physics.cue.tip_radius": "Krümmungsradius der Pomeranze.",
   "hint.physics.cue.tip_friction":
-    "Reibung zwischen Pomeranze und Ball. Sie bestimmt, ab wann das Queue abrutscht.",
+    "Reibung zwischen Pomeranze und Kugel. Sie bestimmt, ab wann das Queue abrutscht.",
   "hint.physics.cue.stroke_elevation":
     "Kleinste Neigung eines wirklichen Stoßes: Die automatische Neigung ist mindestens so groß.",
   "hint.physics.cue.tip_restitution": "Stoßzahl der Pomeranze nach Newton.",
   "hint.physics.cue.tip_efficiency": "Energetischer Wirkungsgrad η der Pomeranze (TP A.30).",
   "hint.physics.cue.tip_off_centre_loss":
-    "c: Die Stoßzahl der Pomeranze ist e/√(1 + c·tan²β); β ist der Winkel zwischen Queueachse und Flächennormale des Balls.",
+    "c: Die Stoßzahl der Pomeranze ist e/√(1 + c·tan²β); β ist der Winkel zwischen Queueachse und Flächennormale der Kugel.",
   "hint.table.length": "Spielfläche längs y, von Bandennase zu Bandennase.",
   "hint.table.width": "Spielfläche längs x, von Bandennase zu Bandennase.",
   "hint.table.cushion_height": "Höhe der Bandennase über der Platte.",

@@ -80,6 +80,7 @@ export const texts: Translation<typeof en.replay> = {
   "event.lifts": "{ball} hebt vom Tuch ab",
   "event.slower": "{ball} {motion} weiter, in einer langsameren Stufe",
   "event.motion": "{ball}: bisher „{from}“, jetzt „{to}“",
+  "event.times": "{event}, {count}-mal",
   "event.lands": "{ball} landet",
   "event.off": "{ball} verlässt den Tisch",
 };

@@ -49,8 +49,8 @@ export const texts: Translation<typeof en.shot> = {
     "Dem Queue im Weg: {obstacle}. Heben Sie das Queue auf mindestens {degrees}° an.",
   "obstruction.turn": "Dem Queue im Weg: {obstacle}. Zielen Sie in eine andere Richtung.",
 
-  "outcome.miscue": "Kickser: Die Pomeranze rutscht vom Ball ab.",
-  "outcome.no-strike": "Kein Ball wird gestoßen.",
+  "outcome.miscue": "Kickser: Die Pomeranze rutscht von der Kugel ab.",
+  "outcome.no-strike": "Keine Kugel wird gestoßen.",
   "outcome.hits": "Trifft zuerst: {ball}.",
   "outcome.hits-after": {
     one: "Trifft zuerst: {ball}, nach {count} Bande.",
@@ -76,7 +76,7 @@ export const texts: Translation<typeof en.shot> = {
   "error.a-ball": "diese Kugel",
   "error.miscue":
     "So weit außen rutscht die Pomeranze ab (Kickser): Bleiben Sie im gestrichelten Kreis.",
-  "error.off-ball": "Dort verfehlt die Pomeranze den Ball: Bleiben Sie im gestrichelten Kreis.",
+  "error.off-ball": "Dort verfehlt die Pomeranze die Kugel: Bleiben Sie im gestrichelten Kreis.",
   "error.range": "{name}: {value} ist nicht möglich. Erlaubt ist eine Zahl {range}.",
   "error.range.from-to": "von {low} bis {high}{unit}",
   "error.range.above-to": "über {low} bis {high}{unit}",

@@ -42,21 +42,6 @@ export const texts: Translation<typeof en.train> = {
   "train.history-label": "Ihre Ergebnisse in zeitlicher Folge: {scores}",
   "train.yours": "Ihr bestes: {score}",
 
-  "puzzle.title": "Rätsel des Tages",
-  "puzzle.loading": "Das Rätsel des Tages wird berechnet …",
-  "puzzle.failed":
-    "Dieser Browser kann das Rätsel nicht berechnen: Öffnen Sie die Seite in einem anderen.",
-  "puzzle.play": "Rätsel spielen",
-  "puzzle.leave":
-    "Versenken Sie die 9 in der markierten Tasche, der Spielball bleibt im Kreis liegen.",
-  "puzzle.bank": "Versenken Sie die 9 über eine Bande in der markierten Tasche.",
-  "puzzle.combination":
-    "Treffen Sie zuerst die 1 und versenken Sie die 9 in der markierten Tasche.",
-  "puzzle.diagram": "Skizze des Rätsels",
-  "puzzle.solved": { one: "Gelöst mit {count} Stoß.", other: "Gelöst mit {count} Stößen." },
-  "puzzle.streak": { one: "{count} Tag in Folge", other: "{count} Tage in Folge" },
-  "puzzle.next": "Das nächste kommt um Mitternacht Weltzeit.",
-
   "verdict.made": "Gelungen.",
   "verdict.points": { one: "Gut für {count} Punkt.", other: "Gut für {count} Punkte." },
   "verdict.on": { one: "Gut, noch {count} Kugel.", other: "Gut, noch {count} Kugeln." },
@@ -116,7 +101,7 @@ export const texts: Translation<typeof en.train> = {
     "{file} ist nicht lesbar: Wählen Sie die Datei noch einmal. Nichts wurde geändert.",
 
   "sheet.title": "Übungsblatt",
-  "sheet.intro": "Eine Seite mit bis zu sechs Übungen, zum Mitnehmen an den Tisch.",
+  "sheet.intro": "Bis zu sechs Übungen mit allen Stufen, zum Mitnehmen an den Tisch.",
   "sheet.choose": "Übungen auf dem Blatt",
   "sheet.paper": "Papier",
   "sheet.a4": "A4",
@@ -127,7 +112,6 @@ export const texts: Translation<typeof en.train> = {
   "sheet.name": "Name",
   "sheet.date": "Datum",
   "sheet.scale": "Maßstab 1 : {scale}",
-  "sheet.steps": "Stufen 1 bis {steps}: Die Skizze zeigt die erste.",
   "sheet.sum": "Summe",
 
   "change.drill": "Übung aufbauen",

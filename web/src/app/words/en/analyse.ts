@@ -44,6 +44,7 @@ export const texts = {
   "lines.leave-unknown": "Where the cue ball stops is not known.",
 
   "why.why": "Why?",
+  "why.best": "Why is shot 1 the best?",
   "why.ask": "Why is shot {a} better than shot {b}?",
   "why.equal": "Shots {a} and {b} are too close to tell: {winA} and {winB} to win.",
   "why.better": "Shot {a} wins more often than shot {b}: {winA} to {winB}.",

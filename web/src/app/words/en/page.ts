@@ -25,6 +25,7 @@ export const texts = {
   "activity.analyse": "Analyse",
   "activity.play": "Play",
   "activity.train": "Train",
+  "activity.library": "Library",
 
   "camera.top": "From above",
   "camera.orbit": "Free camera: drag to turn it",
@@ -47,6 +48,7 @@ export const texts = {
   "tab.game": "Game",
   "tab.whatif": "What if",
   "tab.train": "Drills",
+  "tab.library": "Library",
 
   "steps.title": "First steps",
   "steps.pot":

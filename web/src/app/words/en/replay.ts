@@ -78,6 +78,7 @@ export const texts = {
   "event.lifts": "{ball} leaves the cloth",
   "event.slower": "{ball} goes on {motion} in a slower speed band",
   "event.motion": "{ball} stops {from}, starts {to}",
+  "event.times": "{event}, {count} times",
   "event.lands": "{ball} lands",
   "event.off": "{ball} leaves the table",
 } as const;

@@ -40,18 +40,6 @@ export const texts = {
   "train.history-label": "Your scores in the order of time: {scores}",
   "train.yours": "Your best: {score}",
 
-  "puzzle.title": "Puzzle of the day",
-  "puzzle.loading": "The puzzle of the day is being made …",
-  "puzzle.failed": "The puzzle cannot be made in this browser: open the page in another browser.",
-  "puzzle.play": "Play the puzzle",
-  "puzzle.leave": "Pot the 9 in the marked pocket and leave the cue ball in the circle.",
-  "puzzle.bank": "Pot the 9 in the marked pocket off a cushion.",
-  "puzzle.combination": "Hit the 1 first and pot the 9 in the marked pocket.",
-  "puzzle.diagram": "Diagram of the puzzle",
-  "puzzle.solved": { one: "Solved with {count} shot.", other: "Solved with {count} shots." },
-  "puzzle.streak": { one: "{count} day in a row", other: "{count} days in a row" },
-  "puzzle.next": "The next one comes at midnight, universal time.",
-
   "verdict.made": "Made.",
   "verdict.points": { one: "Good for {count} point.", other: "Good for {count} points." },
   "verdict.on": { one: "Good, {count} ball to go.", other: "Good, {count} balls to go." },
@@ -106,7 +94,7 @@ export const texts = {
   "progress.unreadable": "{file} cannot be read: choose it again. Nothing was changed.",
 
   "sheet.title": "Printed sheet",
-  "sheet.intro": "One page with up to six drills, to take to a table.",
+  "sheet.intro": "Up to six drills with all their steps, to take to a table.",
   "sheet.choose": "Drills on the sheet",
   "sheet.paper": "Paper",
   "sheet.a4": "A4",
@@ -117,7 +105,6 @@ export const texts = {
   "sheet.name": "Name",
   "sheet.date": "Date",
   "sheet.scale": "Scale 1 : {scale}",
-  "sheet.steps": "Steps 1 to {steps}: the diagram shows the first.",
   "sheet.sum": "Sum",
 
   "change.drill": "set up a drill",

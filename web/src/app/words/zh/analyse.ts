@@ -46,6 +46,7 @@ export const texts: Translation<typeof en.analyse> = {
   "lines.leave-unknown": "母球停位未知。",
 
   "why.why": "为什么？",
+  "why.best": "为什么打法 1 最好？",
   "why.ask": "为什么打法 {a} 比打法 {b} 好？",
   "why.equal": "打法 {a} 和打法 {b} 难分高下：获胜 {winA} 和 {winB}。",
   "why.better": "打法 {a} 比打法 {b} 更常获胜：{winA} 比 {winB}。",

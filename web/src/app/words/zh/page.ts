@@ -26,6 +26,7 @@ export const texts: Translation<typeof en.page> = {
   "activity.analyse": "分析",
   "activity.play": "对局",
   "activity.train": "练习",
+  "activity.library": "收藏",
 
   "camera.top": "俯视",
   "camera.orbit": "自由视角：拖动旋转",
@@ -48,6 +49,7 @@ export const texts: Translation<typeof en.page> = {
   "tab.game": "比赛",
   "tab.whatif": "误差",
   "tab.train": "练习",
+  "tab.library": "收藏",
 
   "steps.title": "入门",
   "steps.pot": "把 9 号球打进：在台面上拖动，直到线吸附到亮起的球袋，然后击球。",

@@ -80,6 +80,7 @@ export const texts: Translation<typeof en.replay> = {
   "event.lifts": "{ball}离开台呢",
   "event.slower": "{ball}继续{motion}，进入较慢的速度段",
   "event.motion": "{ball}由{from}变为{to}",
+  "event.times": "{event}，共 {count} 次",
   "event.lands": "{ball}落到台面",
   "event.off": "{ball}飞出球台",
 };

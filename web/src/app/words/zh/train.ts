@@ -40,18 +40,6 @@ export const texts: Translation<typeof en.train> = {
   "train.history-label": "你的成绩，按时间顺序：{scores}",
   "train.yours": "你的最好成绩：{score}",
 
-  "puzzle.title": "每日一题",
-  "puzzle.loading": "正在生成每日一题……",
-  "puzzle.failed": "这个浏览器无法生成题目：请用别的浏览器打开本页面。",
-  "puzzle.play": "开始做题",
-  "puzzle.leave": "把 9 号球打进标出的袋口，并让母球停在圆内。",
-  "puzzle.bank": "让 9 号球经库边落入标出的袋口。",
-  "puzzle.combination": "先碰 1 号球，把 9 号球打进标出的袋口。",
-  "puzzle.diagram": "题目示意图",
-  "puzzle.solved": { other: "用 {count} 杆解出。" },
-  "puzzle.streak": { other: "连续 {count} 天" },
-  "puzzle.next": "下一题在世界时零点出现。",
-
   "verdict.made": "成功。",
   "verdict.points": { other: "得 {count} 分。" },
   "verdict.on": { other: "好球，还剩 {count} 颗。" },
@@ -95,7 +83,7 @@ export const texts: Translation<typeof en.train> = {
   "progress.unreadable": "{file} 无法读取：请重新选择。没有任何更改。",
 
   "sheet.title": "打印练习单",
-  "sheet.intro": "一页最多六个练习，可带到球台旁。",
+  "sheet.intro": "最多六个练习及其所有级别，可带到球台旁。",
   "sheet.choose": "练习单上的练习",
   "sheet.paper": "纸张",
   "sheet.a4": "A4",
@@ -106,7 +94,6 @@ export const texts: Translation<typeof en.train> = {
   "sheet.name": "姓名",
   "sheet.date": "日期",
   "sheet.scale": "比例 1 : {scale}",
-  "sheet.steps": "第 1 到 {steps} 级：示意图为第一级。",
   "sheet.sum": "合计",
 
   "change.drill": "摆好练习",
