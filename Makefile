@@ -15,14 +15,14 @@ PY := $(BIN)/python
 TOOLS := $(VENV)/.tools
 BUILT := $(VENV)/.built
 RUST_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-rules crates/carom-plan crates/carom-mind \
-                  crates/carom-arena crates/carom-env crates/carom-py -type f \
+                  crates/carom-arena crates/carom-cuda crates/carom-drill crates/carom-env crates/carom-py -type f \
                   \( -path '*/src/*' -o -path '*/schemas/*' -o -name Cargo.toml \)) \
                 Cargo.toml Cargo.lock
 # npm writes this file last.
 MODULES := web/node_modules/.package-lock.json
 PAGE := python/carom/web/index.html
 PAGE_SOURCES := $(shell find crates/carom crates/carom-roots crates/carom-rules crates/carom-plan crates/carom-mind \
-                  crates/carom-arena crates/carom-wasm web/src -type f \
+                  crates/carom-arena crates/carom-drill crates/carom-wasm web/src -type f \
                   \( -path '*/src/*' -o -path '*/schemas/*' -o -name Cargo.toml \) \
                   -not -path 'web/src/engine/pkg/*') \
                 Cargo.toml Cargo.lock scripts/wasm.sh scripts/wasm_bindgen/Cargo.toml scripts/wasm_bindgen/src/main.rs web/index.html web/vite.config.ts LICENSE-THIRD-PARTY
@@ -43,7 +43,10 @@ RELEASE_TESTS := --profile release-tests -p carom -p carom-check -p carom-rules 
 # maturin is found on the path.
 export PATH := $(CURDIR)/$(BIN):$(PATH)
 
-.PHONY: help demo test stress bench bench-peer docs goldens reference experiments licenses fmt page picture \
+KERNEL := python/carom/kernel/carom.ptx.gz
+
+.PHONY: help demo kernel test stress wheel release audit bench bench-peer c docs goldens reference experiments licenses fmt page \
+        picture \
         lint lint-rust lint-page lint-python lint-text \
         rust-build rust-test web-test python-test setup clean
 
@@ -95,6 +98,7 @@ rust-test: ## The Rust tests in debug; whole shots, 100 000 of them random, in r
 	cargo test --quiet $(DEBUG_TESTS)
 	cargo test --quiet $(DOC_TESTS)
 	cargo test --quiet $(RELEASE_TESTS)
+	@bash scripts/everywhere.sh goldens aarch64
 
 web-test: $(BUILT) $(PAGE) ## The page's tests, in Node and in Chromium.
 	@bash scripts/prerequisites.sh tests
@@ -106,12 +110,15 @@ python-test: $(BUILT) $(PAGE) ## The Python tests, the validation and the README
 
 stress: $(BUILT) ## The long randomised suites: 10 million shots and more (hours).
 	bash scripts/vector_builds.sh
+	bash scripts/everywhere.sh all
 	cargo test --release --workspace --exclude carom-py -- --ignored
 	CAROM_CASES=1000000 cargo test --release -p carom-roots --test hard_families
 	CAROM_PATHS=1000000 cargo test --release -p carom --test table
 	PROPTEST_CASES=100000 cargo test --release -p carom-check --test whole_shots -- laws symmetries
 	CAROM_FRAMES=100000 cargo test --release -p carom-rules --test random_play
+	CAROM_SANITIZE=1 cargo test --release -p carom-c --test programs
 	bash scripts/fuzz.sh 600
+	@$(PY) -m pip install --quiet --disable-pip-version-check --group gpu
 	$(PYTEST) -m stress
 	$(PY) benches/table_coverage.py --again
 	cargo run --release -p carom-check --example stress
@@ -126,10 +133,21 @@ bench: $(BUILT) $(PAGE) ## The benchmarks; results under benches/results/.
 	$(PY) benches/amplification.py
 	$(PY) benches/many_balls.py
 	$(PY) benches/pushes.py
+	$(PY) benches/c_interface.py
 	cd web && $(ALONE) npm run --silent bench
 
 bench-peer: $(TOOLS) ## The same beside pooltool 0.6.0, in an environment of its own (1 GB).
 	@bash scripts/bench_peer.sh $(PY)
+
+c: ## The C library, its header and the files of pkg-config and CMake, into dist/c.
+	@bash scripts/prerequisites.sh rust
+	+cargo build --quiet --release -p carom-c
+	@cp -f target/release/libcarom_c.a target/release/libcarom.a
+	@for kind in so dylib; do \
+	  if [ -f target/release/libcarom_c.$$kind ]; then \
+	    cp -f target/release/libcarom_c.$$kind target/release/libcarom.$$kind; fi; done
+	@bash scripts/c_library.sh target/release dist/c
+	@echo "The C library is in dist/c; docs/game.md shows how a program uses it."
 
 docs: $(BUILT) $(PAGE) ## The documentation, into docs/_build.
 	RUSTDOCFLAGS="-D warnings" cargo doc --no-deps --quiet --target-dir docs/_build/rust
@@ -139,8 +157,26 @@ docs: $(BUILT) $(PAGE) ## The documentation, into docs/_build.
 goldens: $(BUILT) ## Write the goldens again, after an intended change of results.
 	$(PY) scripts/write_goldens.py
 
-reference: ## Write the physics of the JSON Schema and the table of docs/formats.md again.
+reference: ## Write the JSON Schema, the table of docs/formats.md and the interfaces for C and C# again.
 	CAROM_WRITE=1 cargo test --quiet -p carom --test shot reference
+	CAROM_WRITE=1 cargo test --quiet -p carom-c --test header
+	CAROM_WRITE=1 cargo test --quiet -p carom-c --test csharp
+
+wheel: $(TOOLS) $(PAGE) ## The wheel for this machine, with the page, into dist/.
+	@bash scripts/prerequisites.sh engine
+	@bash scripts/wheel.sh dist
+	@ls dist/*.whl
+
+# PYTHONPATH: the package `release` in scripts/.
+release: $(BUILT) $(MODULES) ## Build every file of a release twice, check it, into dist/. Publishes nothing.
+	@bash scripts/prerequisites.sh page
+	@for target in x86_64 aarch64; do bash scripts/prerequisites.sh target $$target-unknown-linux-gnu; done
+	@$(ALONE) $(PY) -m pip install --quiet --disable-pip-version-check --group release
+	@PYTHONPATH=scripts $(ALONE) $(PY) -m release
+
+audit: $(BUILT) $(MODULES) ## Licences, sources and known vulnerabilities of the dependencies.
+	@$(ALONE) $(PY) -m pip install --quiet --disable-pip-version-check --group release
+	@PYTHONPATH=scripts $(ALONE) $(PY) -m release.audit
 
 experiments: $(BUILT) ## Make the stored results again that are older than the physics; resumable.
 	$(PY) scripts/experiments.py
@@ -161,10 +197,14 @@ fmt: $(TOOLS) $(MODULES) ## Format everything.
 
 page: $(PAGE) ## The page that `carom play` opens, into python/carom/web.
 
+kernel: ## The CUDA kernel for device="cuda", by a nightly Rust; no card is needed.
+	@mkdir -p $(dir $(KERNEL))
+	bash scripts/cuda_kernel.sh $(KERNEL)
+
 setup: $(BUILT) $(PAGE) ## The virtual environment in .venv with carom and every tool in it, and the page.
 
 clean: ## Remove everything that was built.
-	rm -rf $(VENV) target out dist docs/_build docs/gallery python/carom/*.so \
+	rm -rf $(VENV) python/carom/kernel target out dist docs/_build docs/gallery python/carom/*.so \
 	  web/node_modules web/dist web/src/engine/pkg python/carom/web
 
 $(TOOLS): pyproject.toml scripts/prerequisites.sh

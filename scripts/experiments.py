@@ -7,7 +7,7 @@
 
 `make experiments` calls it without arguments. A result is older if the hash of an example shot in
 goldens/shots.json differs from the one that is stored with it (`carom.bench.goldens`). All runs
-together take about fifteen minutes of one core. The long ones write what they have, and continue
+together take about half an hour of one core. The long ones write what they have, and continue
 when they are started again. Afterwards the tables of the pages and the figures are made again.
 
 To add a result: store it with `carom.bench.goldens.stamp`, and add a line to `EXPERIMENTS`.
@@ -59,6 +59,7 @@ EXPERIMENTS = (
         ROOT / "benches" / "results" / "realism.json",
         ("scripts/realism_figures.py", "--before", "2026-11"),
     ),
+    Experiment("puzzles", ROOT / "benches" / "results" / "puzzles.json", ("scripts/puzzles.py",)),
 )
 
 #: What shows the results: the tables of the pages, and the paper's figure.
@@ -72,6 +73,9 @@ def is_complete(stored: dict[str, Any]) -> bool:
     """Whether a run that writes what it has was not stopped."""
     finders = stored.get("finders", [])
     shots = stored.get("shots", [])
+    themes = stored.get("themes", {}).values()
+    if any(len(theme["puzzles"]) < stored["per_theme"] for theme in themes):
+        return False
     return all(f["shots"] == f["wanted"] for f in finders) and (
         "wanted" not in stored or len(shots) == stored["wanted"]
     )

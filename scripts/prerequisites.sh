@@ -5,6 +5,7 @@
 #   prerequisites.sh rust          cargo and a C compiler
 #   prerequisites.sh engine        the same, and Python: the module and the command carom
 #   prerequisites.sh page          cargo with its WebAssembly target, and Node: the page
+#   prerequisites.sh target T      cargo with the target T, such as aarch64-unknown-linux-gnu
 #   prerequisites.sh lint          engine and page, with rustfmt and clippy
 #   prerequisites.sh tests         the same, and Chromium
 #   prerequisites.sh print-python  the Python that the virtual environment is made with
@@ -71,6 +72,12 @@ check_wasm() {
     lacks "Rust's standard library for WebAssembly, with which the page is built. Add it: rustup target add $wasm (Rust of the distribution, Debian: apt install libstd-rust-dev-wasm32)."
 }
 
+check_target() {
+  has_rust || return 0 # check_rust says it.
+  [ -d "$(rustc --print target-libdir --target "$1")" ] || add_to_rust target "$1" ||
+    lacks "Rust's standard library for $1. Add it: rustup target add $1."
+}
+
 check_rust_tools() {
   has_rust || return 0
   cargo fmt --version >/dev/null 2>&1 || add_to_rust component rustfmt ||
@@ -110,9 +117,10 @@ case "${1:-engine}" in
   rust) check_rust ;;
   engine) check_rust; check_python ;;
   page) check_rust; check_wasm; check_node ;;
+  target) check_rust; check_target "$2" ;;
   lint) check_rust; check_python; check_wasm; check_rust_tools; check_node ;;
   tests) check_rust; check_python; check_wasm; check_rust_tools; check_node; check_chromium ;;
-  *) echo "usage: prerequisites.sh rust|engine|page|lint|tests|print-python|has-chromium" >&2; exit 2 ;;
+  *) echo "usage: prerequisites.sh rust|engine|page|target T|lint|tests|print-python|has-chromium" >&2; exit 2 ;;
 esac
 
 if [ ${#missing[@]} -gt 0 ]; then

@@ -25,6 +25,8 @@ ROOT = Path(__file__).parents[1]
 # more than 32 bits.
 NOISES = (("half_ball_cut", 1.0, 42, 0), ("nine_ball_break", 0.5, (1 << 53) - 1, 1 << 40))
 VARIANTS = 8
+# The version of the results that the goldens have.
+VERSION = ROOT / "goldens" / "version.txt"
 MOVES = 12
 # The options of the decisions: enough simulated shots for a second round.
 THINKING = {"noise": "club", "opponentNoise": "professional", "simulations": 4000}
@@ -42,9 +44,16 @@ def main() -> None:
         trace = carom.Shot.load(path).simulate()
         goldens[path.stem] = {"events": len(trace), "hash": trace.hash}
     rows = ",\n".join(f"  {json.dumps(name)}: {json.dumps(row)}" for name, row in goldens.items())
-    (ROOT / "goldens" / "shots.json").write_text(f"{{\n{rows}\n}}\n", encoding="utf-8")
-    (ROOT / "goldens" / "noise.json").write_text(_noise(), encoding="utf-8")
-    (ROOT / "goldens" / "games.json").write_text(_games(), encoding="utf-8")
+    now = {"shots": f"{{\n{rows}\n}}\n", "noise": _noise(), "games": _games()}
+    version = carom.build_info()["results"]
+    if version == int(VERSION.read_text(encoding="utf-8")) and (others := changed(now)):
+        raise SystemExit(
+            f"other results ({', '.join(others)}): increase RESULTS_VERSION in "
+            "crates/carom/src/version.rs, build, and run this again"
+        )
+    VERSION.write_text(f"{version}\n", encoding="utf-8")
+    for name, text in now.items():
+        (ROOT / "goldens" / f"{name}.json").write_text(text, encoding="utf-8")
     (ROOT / "goldens" / "decisions.json").write_text(_decisions(), encoding="utf-8")
     _write_environments()
     _write_presets()
@@ -52,6 +61,27 @@ def main() -> None:
         drawn = picture.png(shot().simulate(), title=name.replace("_", " "))
         (ROOT / "docs" / "images" / f"{name}.png").write_bytes(drawn)
     print(f"{len(goldens)} goldens written; explain a change in CHANGELOG.md")
+
+
+def changed(now: dict[str, str]) -> list[str]:
+    """The goldens that differ from the stored ones. One that is only added changes nothing.
+
+    Args:
+        now: The text of each file, by its name without its ending.
+    """
+    found = []
+    for file, text in now.items():
+        stored = _by_name(json.loads((ROOT / "goldens" / f"{file}.json").read_text("utf-8")))
+        new = _by_name(json.loads(text))
+        found += [f"{file}: {name}" for name in stored if new.get(name) != stored[name]]
+    return found
+
+
+def _by_name(goldens: dict[str, Any] | list[Any]) -> dict[str, Any]:
+    """The goldens of a file by the name of their shot, or by their game."""
+    if isinstance(goldens, dict):
+        return goldens
+    return {row.get("game") or row["shot"]: row for row in goldens}
 
 
 def _write_environments() -> None:

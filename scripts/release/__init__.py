@@ -1,0 +1,1 @@
+"""Build and check every file of a release: ``make release``."""
