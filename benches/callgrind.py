@@ -52,10 +52,34 @@ def count(program: Path, *words: object, out: Path = Path("/dev/null")) -> tuple
     Raises:
         SystemExit: callgrind printed no count.
     """
-    command = ["valgrind", "--tool=callgrind", f"--callgrind-out-file={out}", str(program)]
-    command += map(str, words)
+    counts, printed = _run(program, words, [f"--callgrind-out-file={out}"])
+    return counts["Ir"], printed
+
+
+#: A level-one instruction cache of 32 KB, as most processors have: size, ways, bytes of a line.
+INSTRUCTION_CACHE = "32768,8,64"
+
+
+def misses(program: Path, *words: object) -> tuple[int, int]:
+    """Mispredicted branches, and misses of the instruction cache, of a whole run.
+
+    They are those of valgrind's models: a predictor by the branch's address and the last branches,
+    which is simpler than that of a processor, and a cache without prefetch.
+    """
+    simulated = ["--branch-sim=yes", "--cache-sim=yes", f"--I1={INSTRUCTION_CACHE}"]
+    counts, _ = _run(program, words, ["--callgrind-out-file=/dev/null", *simulated])
+    return counts["Bcm"] + counts["Bim"], counts["I1mr"]
+
+
+def _run(
+    program: Path, words: Iterable[object], options: Iterable[str]
+) -> tuple[dict[str, int], str]:
+    """What callgrind counted by the names of its events, and the program's output."""
+    command = ["valgrind", "--tool=callgrind", *options, str(program), *map(str, words)]
     done = subprocess.run(command, check=True, capture_output=True, text=True)
-    collected = re.search(r"Collected\s*:\s*(\d+)", done.stderr)
-    if collected is None:
+    names = re.search(r"Events\s*:(.*)", done.stderr)
+    collected = re.search(r"Collected\s*:(.*)", done.stderr)
+    if names is None or collected is None:
         raise SystemExit(f"callgrind printed no count:\n{done.stderr}")
-    return int(collected.group(1)), done.stdout
+    counts = map(int, collected.group(1).split())
+    return dict(zip(names.group(1).split(), counts, strict=False)), done.stdout

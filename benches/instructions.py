@@ -1,4 +1,4 @@
-"""Instructions per shot and per event, counted by valgrind's callgrind.
+"""Instructions, missed branches and missed code per shot, counted by valgrind's callgrind.
 
 Times on a shared machine vary by tens of per cent; these counts do not vary. They are stored in
 ``benches/results/instructions.json`` and compared with those of the last commit: after a change of
@@ -55,8 +55,23 @@ def count(program: Path, shots: Path) -> dict[str, Any]:
         "instructions_per_shot": round(total / played),
         "instructions_per_event": round(total / events),
         "events_per_shot": events / played,
+        **missed(program, shots, played),
         "states": hashlib.sha256(shots.read_bytes()).hexdigest()[:16],
     }
+
+
+def missed(program: Path, shots: Path, played: int) -> dict[str, dict[str, int]]:
+    """Misses per shot: of shots each after another one, and each after itself."""
+    once = callgrind.misses(program, shots, 1, 1)
+
+    def more(passes: int, repeats: int) -> dict[str, int]:
+        most = callgrind.misses(program, shots, passes, repeats)
+        branches, cache = (
+            round((b - a) / PASSES / played) for a, b in zip(once, most, strict=True)
+        )
+        return {"branch_misses_per_shot": branches, "instruction_cache_misses_per_shot": cache}
+
+    return {"in_turn": more(1 + PASSES, 1), "repeated": more(1, 1 + PASSES)}
 
 
 def run(program: Path, shots: Path, passes: int) -> tuple[int, int, int]:
@@ -95,6 +110,17 @@ def compare(counts: dict[str, Any], before: dict[str, Any]) -> None:
             change = 100 * (now["instructions_per_shot"] / then["instructions_per_shot"] - 1)
             line += f"{then['instructions_per_shot']:14,}{change:+8.2f}%"
         print(line)
+    print()
+    print(f"{'misses per shot':32}{'branches, in turn':>20}{'repeated':>10}", end="")
+    print(f"{'code cache, in turn':>22}{'repeated':>10}")
+    for name, now in counts.items():
+        print(f"{states.CLASSES[name]:32}", end="")
+        for key, width in (
+            ("branch_misses_per_shot", 20),
+            ("instruction_cache_misses_per_shot", 22),
+        ):
+            print(f"{now['in_turn'][key]:{width},}{now['repeated'][key]:10,}", end="")
+        print()
 
 
 if __name__ == "__main__":

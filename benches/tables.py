@@ -2,7 +2,7 @@
 
     python benches/tables.py                 # print them
     python benches/tables.py --write         # write them into the pages
-    python benches/tables.py --write 2026-11-23-b0cda4d.json    # with another run of `carom bench`
+    python benches/tables.py --write 2026-11-28-f56307ea.json    # with another run of `carom bench`
 
 In a page a table is below a comment `<!-- table: NAME FILE -->`, where FILE is the stored result in
 ``benches/results`` or in the folder of the paper's experiments. A test compares the pages with the
@@ -52,6 +52,10 @@ PAGES = (
 PLACE = re.compile(r"<!-- table: (\S+) (\S+) -->\n\n((?:\|.*\n)*)")
 
 JSON = dict[str, Any]
+
+
+#: The classes of all stored results; those of earlier commits had one pot.
+NAMES = CLASSES | {"pot_shot": "pot shot, 2 balls", "random_pot": "random pots, 2 balls"}
 
 
 def main() -> None:
@@ -105,38 +109,36 @@ def digits(value: float, count: int = 3) -> str:
 
 
 def times(result: JSON) -> str:
-    """Medians of repeated shots beside means over shots in turn."""
-    head = ["", "carom, repeated, median", f"{result['peer']}, median", "ratio"]
-    head += ["carom, in turn, mean", f"{result['peer']}, mean", "ratio"]
-    lines = []
-    for name, row in result["classes"].items():
-        peer = row["peer"]
-        mean = peer.get("mixed_mean_us", peer["mean_us"])
-        cells = [f"{digits(row['median_us'])} µs", f"{digits(peer['median_us'] / 1000)} ms"]
-        cells += [f"{row['ratio_of_medians']:.0f}", f"{digits(row['mixed_mean_us'])} µs"]
-        cells += [f"{digits(mean / 1000)} ms", f"{row['ratio_of_mixed_means']:.0f}"]
-        lines.append([CLASSES[name], *cells])
-    return markdown(head, lines)
+    """Means over shots in turn beside medians of repeated shots."""
+    head = ["", "carom, in turn, mean", f"{result['peer']}, mean", "ratio"]
+    head += ["carom, repeated, median", f"{result['peer']}, median", "ratio"]
+    return markdown(head, [[NAMES[n], *costs(row)] for n, row in result["classes"].items()])
 
 
 def summary(result: JSON) -> str:
-    """The README's table: means over shots in turn, then medians of repeated shots.
-
-    The pot shot is left out where one of the engines did not pot it.
-    """
+    """The README's table: means over shots in turn, then medians of repeated shots."""
     head = ["", "carom, mean", "pooltool, mean", "ratio"]
     head += ["carom, median, repeated", "pooltool, median", "ratio"]
-    lines = []
-    for name, row in result["classes"].items():
-        if name == "pot_shot" and row["same_balls_pocketed"] < 1:
-            continue
-        peer = row["peer"]
-        mean = peer.get("mixed_mean_us", peer["mean_us"])
-        cells = [f"{digits(row['mixed_mean_us'], 2)} µs", f"{digits(mean / 1000, 2)} ms"]
-        cells += [digits(row["ratio_of_mixed_means"]), f"{digits(row['median_us'], 2)} µs"]
-        cells += [f"{digits(peer['median_us'] / 1000, 2)} ms", digits(row["ratio_of_medians"])]
-        lines.append([CLASSES[name].removeprefix("random "), *cells])
-    return markdown(head, lines)
+    return markdown(
+        head,
+        [
+            [NAMES[name].removeprefix("random "), *costs(row, count=2)]
+            for name, row in result["classes"].items()
+        ],
+    )
+
+
+def costs(row: JSON, count: int = 3) -> list[str]:
+    """The cells of a class: means in turn and their ratio, medians and theirs."""
+    peer = row["peer"]
+    return [
+        f"{digits(row['mixed_mean_us'], count)} µs",
+        f"{digits(peer['mixed_mean_us'] / 1000, count)} ms",
+        digits(row["ratio_of_mixed_means"]),
+        f"{digits(row['median_us'], count)} µs",
+        f"{digits(peer['median_us'] / 1000, count)} ms",
+        digits(row["ratio_of_medians"]),
+    ]
 
 
 def events(result: JSON) -> str:
@@ -144,7 +146,7 @@ def events(result: JSON) -> str:
     head = ["", "events", "ns per event", "pooltool's events", "ratio per event", "with a trace"]
     lines = [
         [
-            CLASSES[name],
+            NAMES[name],
             f"{row['events_mean']:.1f}",
             f"{row['ns_per_event']:.0f}",
             f"{row['peer']['events_mean']:.1f}",
@@ -436,11 +438,10 @@ def photo(result: JSON) -> str:
 
 def cost(result: JSON) -> str:
     """Instructions and events per shot, before and after the network took the strike."""
-    names = CLASSES | {"random_pot": "random pots, 2 balls"}
     lines = []
     for key, counted in result["classes"].items():
         before = counted["before"]
-        cells = [names[key], f"{before['instructions']:,}", f"{before['events']:.1f}"]
+        cells = [NAMES[key], f"{before['instructions']:,}", f"{before['events']:.1f}"]
         for which in ("after", "after_default"):
             now = counted[which]
             change = 100 * (now["instructions"] / before["instructions"] - 1)

@@ -13,6 +13,7 @@ the results.
 from __future__ import annotations
 
 import argparse
+from dataclasses import replace
 from typing import Any, NamedTuple
 
 import carom
@@ -82,7 +83,9 @@ class World:
         lying = carom.Shot(self.table, self.balls, carom.Strike(1.0, 0.0), physics=self.physics)
         frame = carom.Frame.of_shot(GAME, lying)
         seeds = self.rng.integers(2**31, size=2).tolist()
-        ruling = frame.play(self.frame.strike(lying, *asked), noise=self.cue, seed=seeds[0])
+        # A cue beside the ball that the camera saw may miscue.
+        strike = replace(self.frame.strike(lying, *asked), miscue="report")
+        ruling = frame.play(strike, noise=self.cue, seed=seeds[0])
         shot, self.balls = ruling.trace.shot, frame.balls
         film = learn.synthetic(
             shot,
@@ -133,15 +136,12 @@ class Robot:
     def plan(self, seen: dict[str, np.ndarray]) -> tuple[carom.Shot, float]:
         """The best shot, and the chance that it scores."""
         assert self.errors is not None
-        assert self.table is not None
-        # The cue goes to the ball where it is seen; a camera that is off is off for all balls.
-        beside = carom.Noise(side_m=float(np.hypot(SEEN, self.table.sigma[-2:].max())))
         frame = carom.Frame.of_shot(GAME, self.lying(seen))
-        noise = self.errors.at(3.0).noise + beside
+        noise = self.errors.at(3.0).noise + self.beside(None)
         best = self.player.explain(frame, 1, noise=noise, posterior=self.table).best
         assert best is not None
         # Neither the table, nor the errors, nor the calibration is known exactly.
-        other, made = self.frame.noise(best.shot) + beside, []
+        other, made = self.frame.noise(best.shot) + self.beside(best.shot.azimuth), []
         for seed, noise in enumerate(self.errors.at(best.shot.speed or 3.0).draw(16)):
             chances = best.shot.evaluate(
                 noise + other,
@@ -155,17 +155,44 @@ class Robot:
             made.append(float(chances.turn_kept or 0.0))
         return best.shot, float(np.mean(made))
 
+    def beside(self, azimuth: float | None) -> carom.Noise:
+        """The error of the tip beside the ball: the cue goes to the ball where it is seen.
+
+        A camera that is off is off for all balls, and by other lengths along and across the table.
+        Only the part across the cue, which points to `azimuth` (rad), moves the tip; None: the
+        mean of all directions.
+        """
+        assert self.table is not None
+        off = self.table.covariance[-2:, -2:]  # of frame.x and frame.y, m²
+        if azimuth is None:
+            squared = 0.5 * np.trace(off)
+        else:
+            across = np.array((-np.sin(azimuth), np.cos(azimuth)))
+            squared = across @ off @ across
+        return carom.Noise(side_m=float(np.sqrt(SEEN**2 + squared)))
+
     def strike(self, shot: Played, motion: CueMotion) -> carom.Shot:
         """The strike of a cue's motion on the balls of a shot."""
         lying = self.lying(shot.seen)
         strike = self.frame.strike(lying, *motion)
         return carom.Shot(lying.table, lying.balls, strike, physics=lying.physics)
 
+    def measured(self) -> dict[str, carom.Shot]:
+        """The strikes by the motions of the cue, without those measured beyond the miscue limit."""
+        found = {}
+        for name, shot in self.shots.items():
+            try:
+                found[name] = self.strike(shot, shot.moved)
+            except carom.InputError as error:
+                if error.kind != "miscue":
+                    raise
+        return found
+
     def learn(self) -> None:
         """Learns the table from the films, and its errors from the motions of the cue."""
         header = learn.TracksHeader(table=TABLE, sigma=FILMED, rate=RATE)
         tracks = learn.Tracks(header, tuple(shot.film for shot in self.shots.values()))
-        near = {name: self.strike(shot, shot.moved) for name, shot in self.shots.items()}
+        near = self.measured()
         sensors = carom.Noise(
             azimuth=SENSED[1],
             elevation=SENSED[1],
@@ -176,10 +203,8 @@ class Robot:
         self.table = learn.table(
             tracks, free=FREE, intended=near, noise=sensors, rounds=4, starts=4
         )
-        played = [
-            learn.PlayedStrike.exact(name, self.strike(shot, shot.moved))
-            for name, shot in self.shots.items()
-        ]
+        # On the table as it is known now.
+        played = [learn.PlayedStrike.exact(*strike) for strike in self.measured().items()]
         meant = {name: self.strike(shot, shot.asked) for name, shot in self.shots.items()}
         self.errors = learn.player(played, meant, draws=400)
 

@@ -22,7 +22,7 @@ FILES = {
 }
 
 CLASSES = {
-    "pot_shot": "a pot, 2 balls",
+    "pots": "pots, 2–4 balls",
     "random_eight_ball": "mid-game, 4–16 balls",
     "nine_ball_break": "nine-ball break",
     "eight_ball_break": "eight-ball break",
