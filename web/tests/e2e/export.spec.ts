@@ -8,10 +8,7 @@ import { pathToFileURL } from "node:url";
 import type { Frame, Page } from "playwright-core";
 import { afterAll, beforeAll } from "vitest";
 import type { TraceFile } from "../../src/engine/index.ts";
-import { expect, NATIVE, test } from "./fixture.ts";
-
-/** Time (ms) that a page in a frame may take to start. */
-const STARTING = 60_000;
+import { expect, NATIVE, newContext, test, usable } from "./fixture.ts";
 
 let folder = "";
 beforeAll(() => {
@@ -68,7 +65,7 @@ print(trace._repr_html_())
     join(folder, "notebook.html"),
     `<!doctype html><p>In [1]: trace</p>${frame.toString()}`,
   );
-  const context = await browser.newContext({ offline: true });
+  const context = await newContext(browser, { offline: true });
   const page = await context.newPage();
   const errors: string[] = [];
   page.on("console", (message) => {
@@ -77,11 +74,7 @@ print(trace._repr_html_())
   page.on("pageerror", (error) => errors.push(error.message));
   await page.goto(address("notebook.html"));
   const inside = page.frames()[1]!;
-  await inside.waitForFunction(
-    () => performance.getEntriesByName("carom:interactive").length > 0,
-    undefined,
-    { timeout: STARTING },
-  );
+  await usable(inside);
   await inside.getByRole("button", { name: "Play", exact: true }).click();
   await inside.waitForFunction(() => window.carom!.store.session.replay.time > 0.5);
   const reached = await inside.evaluate(() => {
@@ -122,18 +115,14 @@ test("the cells of a notebook share one page, in whichever order they are drawn"
   };
   // A frame that is out of view is not drawn, so all of them are in view.
   const viewport = { width: 1000, height: 2400 };
-  const context = await browser.newContext({ offline: true, viewport });
+  const context = await newContext(browser, { offline: true, viewport });
   const page = await context.newPage();
   // The cell with the page is the last one here, as in a notebook that was sorted after its run.
   await page.goto(written("cells.html", [trace, frame, shot]));
   await page.waitForFunction(() => document.querySelectorAll("iframe").length === 2);
   const modes = [];
   for (const cell of page.frames().slice(1)) {
-    await cell.waitForFunction(
-      () => performance.getEntriesByName("carom:interactive").length > 0,
-      undefined,
-      { timeout: STARTING },
-    );
+    await usable(cell);
     modes.push(await cell.evaluate(() => window.carom!.store.session.mode));
   }
   expect(modes.sort()).toEqual(["aim", "replay"]);
@@ -141,7 +130,7 @@ test("the cells of a notebook share one page, in whichever order they are drawn"
   await page.goto(written("no-page.html", [trace, frame]));
   expect(await page.locator("img").count()).toBe(2);
   expect(await page.locator("iframe").count()).toBe(0);
-  const untrusted = await browser.newContext({ javaScriptEnabled: false });
+  const untrusted = await newContext(browser, { javaScriptEnabled: false });
   const plain = await untrusted.newPage();
   await plain.goto(address("cells.html"));
   expect(await plain.locator("img").count()).toBe(3);
@@ -165,7 +154,7 @@ open(sys.argv[1], "w", encoding="utf-8").write(page)
     join(folder, "site.html"),
     '<!doctype html><iframe src="live.html" style="width: 800px; height: 600px"></iframe>',
   );
-  const context = await browser.newContext({ offline: true });
+  const context = await newContext(browser, { offline: true });
   const page = await context.newPage();
   // Seen: the browser reported a refused vibration and a refused sound.
   const said: string[] = [];
@@ -174,17 +163,13 @@ open(sys.argv[1], "w", encoding="utf-8").write(page)
   });
   await page.goto(address("site.html"));
   const inside = page.frames()[1]!;
-  await inside.waitForFunction(() => window.carom?.store.session.mode === "replay", undefined, {
-    timeout: STARTING,
-  });
+  await inside.waitForFunction(() => window.carom?.store.session.mode === "replay");
   const trace = await inside.evaluate(() => {
     const { trace, playing } = window.carom!.store.session.replay;
     return { playing, balls: trace!.shot.balls.length };
   });
   expect(trace.playing).toBe(true);
-  await inside.waitForFunction(() => window.carom!.store.session.mode === "aim", undefined, {
-    timeout: STARTING,
-  });
+  await inside.waitForFunction(() => window.carom!.store.session.mode === "aim");
   const { label, balls } = await inside.evaluate(() => {
     const { store } = window.carom!;
     return { label: store.undoLabel, balls: store.document.shot.balls.length };

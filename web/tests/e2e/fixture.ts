@@ -12,9 +12,10 @@ import {
   type BrowserContextOptions,
   chromium,
   type Download,
+  type Frame,
   type Page,
 } from "playwright-core";
-import { expect, inject, test as base } from "vitest";
+import { expect, inject, test as base, vi } from "vitest";
 import type { ShotFile, TraceFile } from "../../src/engine/index.ts";
 import type { Quality } from "../../src/viewer/viewer-types.ts";
 
@@ -44,10 +45,23 @@ interface Fixtures {
   readonly open: (options?: OpenOptions) => Promise<Page>;
   /** Closes the page before the end of its test, so that the next one opens in its tab. */
   readonly close: (page: Page) => Promise<void>;
+  /** A browser with a storage of its own, which lasts until the end of the test. */
+  readonly visit: (options?: VisitOptions) => Promise<User>;
+}
+
+export interface VisitOptions {
+  readonly viewport?: typeof PHONE;
+  /** Runs in each page before its own scripts. */
+  readonly script?: () => void;
+}
+
+export interface User {
+  readonly context: BrowserContext;
+  readonly open: (hash?: string) => Promise<Page>;
 }
 
 /** Time (ms) that the page may take to start on a busy machine. */
-const STARTING = 60_000;
+const STARTING = 120_000;
 
 /** Time (ms) that an action or a wait may take. */
 export const WAITING = 60_000;
@@ -114,13 +128,11 @@ class Tabs {
   }
 
   async #create(fixed: BrowserContextOptions, quality: Drawing, isFirst: boolean): Promise<Page> {
-    const context = await this.#browser.newContext({
+    const context = await newContext(this.#browser, {
       locale: "en-GB",
       serviceWorkers: "block",
       ...fixed,
     });
-    context.setDefaultTimeout(WAITING);
-    await fixRandom(context);
     await context.addInitScript((first) => {
       try {
         if (first) localStorage.removeItem("carom-first-steps");
@@ -184,21 +196,72 @@ export const test = base.extend<Fixtures>({
         await page.setViewportSize(viewport!);
         await page.emulateMedia({ colorScheme, reducedMotion });
         await page.goto(address);
-        await page.waitForFunction(
-          () => performance.getEntriesByName("carom:interactive").length > 0,
-          undefined,
-          { timeout: STARTING },
-        );
+        await usable(page);
         return page;
       },
     );
     await tabs.releaseAll();
     expect(errors, "errors in the console").toEqual([]);
   },
+  visit: async ({ browser }, use) => {
+    const contexts: BrowserContext[] = [];
+    const errors: string[] = [];
+    await use(async ({ viewport = DESKTOP, script } = {}) => {
+      const context = await newContext(browser, {
+        locale: "en-GB",
+        serviceWorkers: "block",
+        reducedMotion: "reduce",
+        viewport,
+        permissions: ["clipboard-read", "clipboard-write"],
+      });
+      contexts.push(context);
+      await context.addInitScript(() => localStorage.setItem("carom-first-steps", "1"));
+      if (script) await context.addInitScript(script);
+      const open = async (hash = "") => {
+        const page = await context.newPage();
+        page.on("pageerror", (error) => errors.push(error.message));
+        await page.goto(inject("page") + hash);
+        await usable(page);
+        return page;
+      };
+      return { context, open };
+    });
+    for (const context of contexts) await context.close();
+    expect(errors, "uncaught errors").toEqual([]);
+  },
   close: async ({ tabs }, use) => {
     await use((page) => tabs.release(page));
   },
 });
+
+/** A context whose actions wait as long as a busy machine needs, and whose pages draw the same numbers. */
+export async function newContext(
+  browser: Browser,
+  options?: BrowserContextOptions,
+): Promise<BrowserContext> {
+  const context = await browser.newContext(options);
+  context.setDefaultTimeout(WAITING);
+  await fixRandom(context);
+  return context;
+}
+
+/** Waits until the page is usable: its first picture is drawn. */
+export async function usable(page: Page | Frame): Promise<void> {
+  // Asked anew each time: a frame that moves to another process of the browser loses a wait inside it.
+  await vi.waitFor(
+    async () => {
+      const reached = await page.evaluate(() => ({
+        marks: performance.getEntriesByType("mark").map(({ name }) => name),
+        document: document.readyState,
+        visibility: document.visibilityState,
+        refusal: document.getElementById("refusal")?.textContent,
+      }));
+      if (reached.marks.includes("carom:interactive")) return;
+      throw new Error(`The page has not started: ${JSON.stringify(reached)}`);
+    },
+    { timeout: STARTING, interval: 50 },
+  );
+}
 
 /** The present shot file. */
 export function shotOf(page: Page): Promise<ShotFile> {
@@ -270,7 +333,7 @@ const OUT = fileURLToPath(new URL("./out/", import.meta.url));
  * Each page draws the same numbers after it is loaded, so that a test plays the same racks every time: after some
  * breaks there is a choice instead of a shot. The generator is Park & Miller's (1988).
  */
-export async function fixRandom(context: BrowserContext): Promise<void> {
+async function fixRandom(context: BrowserContext): Promise<void> {
   await context.addInitScript(() => {
     let state = 1;
     Math.random = () => (state = (16807 * state) % 2147483647) / 2147483647;

@@ -1,4 +1,4 @@
-import { expect, test } from "./fixture.ts";
+import { expect, test, usable } from "./fixture.ts";
 
 test("a served page can be installed, and opens again without a network", async ({ open }) => {
   const page = await open({ serviceWorkers: "allow" });
@@ -30,10 +30,7 @@ test("a served page can be installed, and opens again without a network", async 
   });
   await page.context().setOffline(true);
   await page.reload();
-  await page.waitForFunction(
-    () => performance.getEntriesByName("carom:interactive").length > 0,
-    undefined,
-  );
+  await usable(page);
   expect(
     await page.evaluate(() => window.carom!.store.shot.simulate().events.length),
   ).toBeGreaterThan(3);

@@ -1,70 +1,9 @@
 /** What the page keeps: works with their undo, games that have ended, and everything as a file. */
 
-import type { BrowserContext, Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import { inject } from "vitest";
 import { violations } from "./axe.ts";
-import {
-  contentsOf,
-  DESKTOP,
-  expect,
-  fixRandom,
-  PHONE,
-  storeNow,
-  test as base,
-  WAITING,
-} from "./fixture.ts";
-
-/** A user: several tabs with one storage, which lasts until the end of the test. */
-interface User {
-  readonly context: BrowserContext;
-  /** Opens the page in a new tab. */
-  open: () => Promise<Page>;
-}
-
-interface UserOptions {
-  readonly viewport?: typeof PHONE;
-  /** Runs in each page before its own scripts. */
-  readonly script?: () => void;
-}
-
-interface Fixtures {
-  readonly visit: (options?: UserOptions) => Promise<User>;
-}
-
-const test = base.extend<Fixtures>({
-  visit: async ({ browser }, use) => {
-    const contexts: BrowserContext[] = [];
-    const errors: string[] = [];
-    await use(async ({ viewport = DESKTOP, script } = {}) => {
-      const options = {
-        locale: "en-GB",
-        serviceWorkers: "block",
-        reducedMotion: "reduce",
-        viewport,
-      } as const;
-      const context = await browser.newContext(options);
-      contexts.push(context);
-      context.setDefaultTimeout(WAITING);
-      await fixRandom(context);
-      await context.addInitScript(() => localStorage.setItem("carom-first-steps", "1"));
-      if (script) await context.addInitScript(script);
-      const open = async () => {
-        const page = await context.newPage();
-        page.on("pageerror", (error) => errors.push(error.message));
-        await page.goto(inject("page"));
-        await ready(page);
-        return page;
-      };
-      return { context, open };
-    });
-    for (const context of contexts) await context.close();
-    expect(errors, "uncaught errors").toEqual([]);
-  },
-});
-
-async function ready(page: Page): Promise<void> {
-  await page.waitForFunction(() => performance.getEntriesByName("carom:interactive").length > 0);
-}
+import { contentsOf, DESKTOP, expect, PHONE, storeNow, test, usable } from "./fixture.ts";
 
 /** Starts nine-ball between two persons, and plays `count` shots. */
 async function play(page: Page, count: number): Promise<void> {
@@ -173,7 +112,7 @@ test("a page that is loaded again still undoes what was done before", async ({ v
   await page.getByRole("button", { name: /^Undo/ }).click();
   const before = await steps(page);
   await page.reload();
-  await ready(page);
+  await usable(page);
   await page.waitForFunction(() => window.carom!.store.undoLabel !== null);
   expect(await steps(page)).toEqual(before);
   await page.getByRole("button", { name: /^Redo/ }).click();
@@ -182,7 +121,7 @@ test("a page that is loaded again still undoes what was done before", async ({ v
   await shoot(page);
   const later = await steps(page);
   await page.reload();
-  await ready(page);
+  await usable(page);
   await page.waitForFunction((at) => window.carom!.store.steps.at === at, later.at);
   expect(await steps(page)).toEqual(later);
 });
@@ -353,7 +292,7 @@ test("a browser that keeps nothing says so, and the page works", async ({ visit 
   await banner(page).getByRole("button", { name: "Close" }).click();
   await play(page, 1);
   await page.reload();
-  await ready(page);
+  await usable(page);
   expect(await moves(page), "a reload still keeps the game").toBe(1);
 });
 

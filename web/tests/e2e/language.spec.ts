@@ -6,7 +6,7 @@ import type { Page } from "playwright-core";
 import { inject } from "vitest";
 import { CATALOGUES, type Language } from "../../src/app/words/catalogue.ts";
 import type { ShotFile } from "../../src/engine/index.ts";
-import { expect, PHONE, pressTool, settled, shotOf, test } from "./fixture.ts";
+import { expect, PHONE, pressTool, settled, shotOf, test, usable } from "./fixture.ts";
 
 const WIDE = { width: 1280, height: 800 };
 
@@ -144,10 +144,7 @@ async function choose(page: Page, help: string, language: Language): Promise<voi
     page.waitForEvent("load"),
     page.locator("#help select").selectOption(language),
   ]);
-  await page.waitForFunction(
-    () => performance.getEntriesByName("carom:interactive").length > 0,
-    undefined,
-  );
+  await usable(page);
 }
 
 test("another language is chosen, and the shot, the game and the view stay", async ({ open }) => {

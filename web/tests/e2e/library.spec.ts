@@ -4,60 +4,12 @@ import { mkdtempSync, readFileSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
 import { pathToFileURL } from "node:url";
-import type { BrowserContext, Page } from "playwright-core";
+import type { Page } from "playwright-core";
 import { inject } from "vitest";
 import { violations } from "./axe.ts";
-import { contentsOf, DESKTOP, expect, fixRandom, PHONE, test as base, WAITING } from "./fixture.ts";
+import { contentsOf, DESKTOP, expect, newContext, PHONE, test, usable } from "./fixture.ts";
 
 const EXAMPLE = new URL("../../../studies/twenty_positions.en.json", import.meta.url);
-
-interface User {
-  readonly context: BrowserContext;
-  open: (hash?: string) => Promise<Page>;
-}
-
-interface Fixtures {
-  /** A browser with a storage of its own, which lasts until the end of the test. */
-  readonly visit: (viewport?: typeof PHONE) => Promise<User>;
-}
-
-const test = base.extend<Fixtures>({
-  visit: async ({ browser }, use) => {
-    const contexts: BrowserContext[] = [];
-    const errors: string[] = [];
-    await use(async (viewport = DESKTOP) => {
-      const options = {
-        locale: "en-GB",
-        serviceWorkers: "block",
-        reducedMotion: "reduce",
-        viewport,
-        permissions: ["clipboard-read", "clipboard-write"],
-      } as const;
-      const context = await browser.newContext({
-        ...options,
-        permissions: [...options.permissions],
-      });
-      contexts.push(context);
-      context.setDefaultTimeout(WAITING);
-      await fixRandom(context);
-      await context.addInitScript(() => localStorage.setItem("carom-first-steps", "1"));
-      const open = async (hash = "") => {
-        const page = await context.newPage();
-        page.on("pageerror", (error) => errors.push(error.message));
-        await page.goto(inject("page") + hash);
-        await ready(page);
-        return page;
-      };
-      return { context, open };
-    });
-    for (const context of contexts) await context.close();
-    expect(errors, "uncaught errors").toEqual([]);
-  },
-});
-
-async function ready(page: Page): Promise<void> {
-  await page.waitForFunction(() => performance.getEntriesByName("carom:interactive").length > 0);
-}
 
 async function toLibrary(page: Page): Promise<void> {
   await page.getByRole("radio", { name: "Library", exact: true }).click();
@@ -74,7 +26,7 @@ test("a page with an embedded study opens it as a lesson", async ({ browser }) =
     file,
     html.replace(/(id="carom-document")>/, () => `id="carom-document">${embedded}`),
   );
-  const page = await browser.newPage();
+  const page = await (await newContext(browser)).newPage();
   await page.goto(pathToFileURL(file).href);
   await page.locator("#lesson-next").waitFor();
   await page.locator("#lesson-next").click();
@@ -162,7 +114,7 @@ test("a study is written with marks, text and a task, stays, and goes on after t
   await page.locator("#chapter-up").click();
   await page.locator("#chapter-down").click();
   await page.reload();
-  await ready(page);
+  await usable(page);
   // The same study is open, and can still be changed.
   await page.locator("#lesson-edit").waitFor();
   await page.close();
@@ -326,7 +278,7 @@ test.for([
 ] as const)(
   "library, lesson and editor have no fault of accessibility: $size.width px, $scheme",
   async ({ size, scheme }, { visit }) => {
-    const page = await (await visit(size)).open();
+    const page = await (await visit({ viewport: size })).open();
     await page.emulateMedia({ colorScheme: scheme, reducedMotion: "reduce" });
     await openExample(page);
     expect(await violations(page), "lesson").toEqual([]);

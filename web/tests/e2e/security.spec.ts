@@ -1,7 +1,7 @@
 import { pathToFileURL } from "node:url";
 import type { Page } from "playwright-core";
 import { inject } from "vitest";
-import { expect, test } from "./fixture.ts";
+import { expect, newContext, test, usable } from "./fixture.ts";
 
 /** Does something in a page that its content security policy forbids; gives the directive that forbade it. */
 function refusedBy(page: Page, kind: "script" | "handler" | "request" | "frame" | "picture") {
@@ -48,9 +48,9 @@ for (const place of ["page", "file"] as const) {
   test(`the policy of the ${place === "page" ? "served page" : "page on disk"} refuses foreign scripts and requests`, async ({
     browser,
   }) => {
-    const page = await browser.newPage();
+    const page = await (await newContext(browser)).newPage();
     await page.goto(place === "page" ? inject("page") : pathToFileURL(inject("file")).href);
-    await page.waitForFunction(() => performance.getEntriesByName("carom:interactive").length > 0);
+    await usable(page);
     expect(await refusedBy(page, "script")).toBe("script-src-elem");
     expect(await refusedBy(page, "handler")).toBe("script-src-attr");
     expect(await refusedBy(page, "request")).toBe("connect-src");

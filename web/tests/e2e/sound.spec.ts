@@ -1,4 +1,4 @@
-import { expect, settled, test } from "./fixture.ts";
+import { expect, settled, test, usable } from "./fixture.ts";
 
 /** Counts the sounds that start. */
 const counting = () => {
@@ -53,10 +53,7 @@ test("sound that is switched off stays off after a reload, and in the next visit
   const sounds = () => page.evaluate(() => window.carom!.store.session.replay.sound);
   const load = async (go: () => Promise<unknown>) => {
     await go();
-    await page.waitForFunction(
-      () => performance.getEntriesByName("carom:interactive").length > 0,
-      undefined,
-    );
+    await usable(page);
   };
   await page.keyboard.press("m");
   expect(await sounds()).toBe(false);
@@ -79,9 +76,6 @@ test("a shared link is still silent after a reload", async ({ open }) => {
   await page.waitForFunction(() => location.hash.length > 1);
   const linked = await open({ hash: await page.evaluate(() => location.hash) });
   await linked.reload();
-  await linked.waitForFunction(
-    () => performance.getEntriesByName("carom:interactive").length > 0,
-    undefined,
-  );
+  await usable(linked);
   expect(await linked.evaluate(() => window.carom!.store.session.replay.sound)).toBe(false);
 });

@@ -8,7 +8,7 @@ import { type Decision, type FrameRecord, load } from "../../src/engine/index.ts
 import type { Thinker } from "../../src/engine/thinker-client.ts";
 import { read } from "../unit/engine/files.ts";
 import { compiledPackage } from "../unit/engine/package.ts";
-import { expect, test } from "./fixture.ts";
+import { expect, newContext, test } from "./fixture.ts";
 
 declare global {
   interface Window {
@@ -69,7 +69,7 @@ test("a page in one file on the disk thinks in a worker that it contains", async
     logLevel: "warn",
     build: { outDir, emptyOutDir: true },
   });
-  const page = await browser.newPage();
+  const page = await (await newContext(browser)).newPage();
   await page.goto(pathToFileURL(`${outDir}/index.html`).href);
   await check(page);
   await page.context().close();
@@ -90,7 +90,7 @@ test("over HTTP the package's thinker starts its own worker", async ({ browser }
   });
   await new Promise<void>((resolve) => server.listen(0, "127.0.0.1", resolve));
   try {
-    const page = await browser.newPage();
+    const page = await (await newContext(browser)).newPage();
     await page.goto(`http://127.0.0.1:${(server.address() as AddressInfo).port}/`);
     await check(page);
     await page.context().close();

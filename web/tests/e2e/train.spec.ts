@@ -3,7 +3,7 @@
 import type { Page } from "playwright-core";
 import { violations } from "./axe.ts";
 import { puzzleOfDay } from "../../src/app/train/puzzle/puzzle-choice.ts";
-import { contentsOf, expect, PHONE, settled, shotOf, test } from "./fixture.ts";
+import { contentsOf, expect, PHONE, settled, shotOf, test, usable } from "./fixture.ts";
 
 const SIZES = [{ width: 1280, height: 800 }, PHONE] as const;
 
@@ -679,7 +679,7 @@ test("a reload keeps a drill, and counts the shot that was under way", async ({ 
   await page.evaluate(() => window.carom!.store.strike({ azimuth_deg: 200, speed: 1 }, "miss"));
   await page.getByRole("button", { name: "Shoot" }).click();
   await page.reload();
-  await page.waitForFunction(() => performance.getEntriesByName("carom:interactive").length > 0);
+  await usable(page);
   const boxes = page.locator(".attempts li[data-made]");
   await expect.poll(() => boxes.count()).toBe(1);
   expect(await page.evaluate(() => window.carom!.store.session.attempt !== null)).toBe(true);
