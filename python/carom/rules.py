@@ -157,12 +157,13 @@ class Frame:
         points: int = DEFAULT_OPTIONS.points,
         miss: bool = DEFAULT_OPTIONS.miss,
         patience: int = DEFAULT_OPTIONS.patience,
+        player: int | None = None,
     ) -> Frame:
         """A frame that continues from the balls of a shot.
 
-        Balls that the shot does not have count as pocketed. Player 0 shoots from where the cue
+        Balls that the shot does not have count as pocketed. The player shoots from where the cue
         ball is; no player has a point, a group or a foul; in eight-ball the table is open. Table
-        and physics are the shot's; its strike is not used.
+        and physics are the shot's; of its strike only the struck ball is used.
 
         Args:
             game: The game, as for a new frame.
@@ -171,19 +172,26 @@ class Frame:
             (``carom.game_facts()``), such as straight pool.
             miss: Whether a foul and a miss is called in snooker.
             patience: Number of shots in a row without progress that make a stalemate.
+            player: The player who shoots, 0 or 1. None is the player whose cue ball the shot
+                strikes, in games in which each player has one; otherwise player 0.
 
         Raises:
             InputError: The game does not have such balls, or would be over with them.
         """
         options = _options(points, miss, patience)
+        if player is not None:
+            player = whole("player", player, 2)
         frame = Frame.__new__(cls)
         frame._core = _core.Frame.of_shot(
             text("game", game, '"nine-ball"'),
             instance("shot", shot, Shot, "carom.Shot.from_dict(...)")._core,
             options,
+            player,
         )
         frame._moves = []
         frame._setup = {"game": game, "shot": shot._core.to_object(dated="all")} | options._asdict()
+        if frame.request.get("player") == 1:
+            frame._setup["player"] = 1
         return frame
 
     @classmethod
@@ -210,7 +218,7 @@ class Frame:
         try:
             if "shot" in setup:
                 shot = Shot.from_dict(setup["shot"])
-                frame = cls.of_shot(**{**setup, "shot": shot})
+                frame = cls.of_shot(**{"player": 0, **setup, "shot": shot})
             else:
                 frame = cls(**setup)
         except TypeError as error:

@@ -217,6 +217,26 @@ def test_a_frame_with_a_frozen_cue_ball_asks_whether_to_spot() -> None:
     assert decision.choice in frame.request.choices
 
 
+def test_the_yellow_of_a_struck_shot_is_the_second_players() -> None:
+    balls = {"cue": (0.7, 0.7), "yellow": (0.3, 0.3), "red": (0.7, 2.13)}
+    strike = {"ball": "yellow", "speed": 2.0, "azimuth_deg": 60.0}
+    yellow = Shot("carom-10ft", balls, strike)
+    frame = Frame.of_shot("three-cushion", yellow)
+    assert (frame.request.player, frame.request.cue_ball) == (1, "yellow")
+    frame.play(Strike(speed=2.0, azimuth=1.0))
+    assert frame.record["setup"]["player"] == 1
+    assert Frame.replay(frame.record).hash == frame.hash
+    decision = carom.Player("carom:200").choose(Frame.of_shot("three-cushion", yellow))
+    assert isinstance(decision.play, carom.Play)
+    white = Frame.of_shot("three-cushion", yellow, player=0)
+    assert (white.request.player, white.request.cue_ball) == (0, "cue")
+    # A record of before this key began with the first player.
+    assert "player" not in white.record["setup"]
+    assert Frame.replay(white.record).request.player == 0
+    with pytest.raises(InputError, match=r"^player: "):
+        Frame.of_shot("three-cushion", yellow, player=2)
+
+
 def seeds_of(line: dict[str, Any]) -> tuple[int, int]:
     one, other = (int(seed, 16) for seed in line["seeds"]["errors"])
     return one, other

@@ -137,7 +137,7 @@ pub unsafe extern "C" fn carom_frame_of_shot(
         enter(&ErrorText::new(error, error_size), || {
             let def = def.copied().unwrap_or_else(|| carom_default_frame_def());
             let shot = &given(shot, "shot")?.file;
-            carom_frame::boxed(FrameHistory::of_shot(def.game()?, def.options(), shot)?)
+            carom_frame::boxed(FrameHistory::of_shot(def.game()?, def.options(), shot, None)?)
         })
     }
 }

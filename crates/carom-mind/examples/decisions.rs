@@ -26,7 +26,9 @@ fn main() -> Result<(), Box<dyn Error>> {
     let text = std::fs::read_to_string(file)?;
     let frames = text
         .lines()
-        .map(|line| Frame::of_shot(Game::EightBall, Options::default(), &Shot::from_json(line)?))
+        .map(|line| {
+            Frame::of_shot(Game::EightBall, Options::default(), &Shot::from_json(line)?, None)
+        })
         .collect::<Result<Vec<_>, _>>()?;
     let mut player = Searcher::default();
     let (mut spent, mut bits) = (0, 0_u64);

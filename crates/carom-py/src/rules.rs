@@ -207,11 +207,12 @@ impl Frame {
         game: &str,
         shot: &Shot,
         options: (i32, bool, u32),
+        player: Option<usize>,
     ) -> PyResult<Self> {
         let (points, miss, patience) = options;
         let options = Options { points, miss, patience };
-        let frame =
-            Game::read(game).and_then(|game| carom_rules::Frame::of_shot(game, options, &shot.0));
+        let frame = Game::read(game)
+            .and_then(|game| carom_rules::Frame::of_shot(game, options, &shot.0, player));
         frame.map(Self::from).map_err(|e| to_exception(py, &e))
     }
 

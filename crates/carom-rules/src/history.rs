@@ -13,6 +13,7 @@ use crate::record::{FRAME_FORMAT, check_record};
 use crate::region::Region;
 use crate::request::{Choice, Turn};
 use crate::ruling::Ruling;
+use crate::seat::Seat;
 
 /// The first whole number that JavaScript does not tell from its neighbour. Seeds from there on are
 /// written in hexadecimal.
@@ -56,10 +57,18 @@ impl FrameHistory {
     ///
     /// # Errors
     /// As [`Frame::of_shot`].
-    pub fn of_shot(game: Game, options: Options, shot: &ShotFile) -> Result<Self, Error> {
-        let frame = Frame::of_shot(game, options, shot)?;
+    pub fn of_shot(
+        game: Game,
+        options: Options,
+        shot: &ShotFile,
+        player: Option<Seat>,
+    ) -> Result<Self, Error> {
+        let frame = Frame::of_shot(game, options, shot, player)?;
         let file = shot.written(DefaultElevation::Written, PresetNames::Dated).into_owned();
         let mut setup = Node::object([("game", game.name().into()), ("shot", file)]);
+        if frame.player() == Some(1) {
+            setup.set("player", 1);
+        }
         add(&mut setup, options.to_node());
         Ok(Self { frame, setup, moves: Vec::new() })
     }
@@ -105,7 +114,9 @@ impl FrameHistory {
         };
         if let Some(shot) = setup.get("shot") {
             let shot = ShotFile::from_node(shot.node().clone());
-            return Self::of_shot(game, options, &shot.map_err(|e| e.inside("setup.shot"))?);
+            let player = whole("player", 1)?.unwrap_or_default() as Seat;
+            let shot = shot.map_err(|e| e.inside("setup.shot"))?;
+            return Self::of_shot(game, options, &shot, Some(player));
         }
         let part = |key: &str| {
             let value = setup.get(key).filter(|value| *value.node() != Node::Null);

@@ -15,7 +15,7 @@ const REMEDY: &str = "give the value of Frame.record";
 /// The keys of a setup: the arguments of a new frame, or of one from the balls of a shot. `target` is the
 /// name of `points` in older records.
 const NEW: &[&str] = &["game", "table", "physics", "seed", "points", "target", "miss", "patience"];
-const OF_SHOT: &[&str] = &["game", "shot", "points", "target", "miss", "patience"];
+const OF_SHOT: &[&str] = &["game", "shot", "player", "points", "target", "miss", "patience"];
 
 /// The keys of a move. `variations` is a text of the page's analysis, which frames pass over.
 const PLAY: &[&str] = &["play", "variations"];

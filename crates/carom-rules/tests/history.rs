@@ -73,12 +73,32 @@ fn a_seed_that_javascript_cannot_hold_is_written_in_hexadecimal() {
 fn a_frame_of_a_shot_is_played_again_too() {
     let file = concat!(env!("CARGO_MANIFEST_DIR"), "/../../shots/half_ball_cut.json");
     let shot = ShotFile::from_json(&std::fs::read_to_string(file).unwrap()).unwrap();
-    let mut history = FrameHistory::of_shot(Game::Practice, Options::default(), &shot).unwrap();
+    let mut history =
+        FrameHistory::of_shot(Game::Practice, Options::default(), &shot, None).unwrap();
     let strike = shot.strike().unwrap().1;
     history.play(&Play::new(strike)).unwrap();
     history.concede().unwrap();
     let again = FrameHistory::replay(&history.record()).unwrap();
     assert_eq!(again.frame().hash(), history.frame().hash());
+}
+
+/// Records of before the key `player` begin with player 0, whichever ball the shot strikes.
+#[test]
+fn a_record_of_a_shot_says_when_the_second_player_begins() {
+    let text = r#"{"format": "carom-shot/1", "table": "carom-10ft", "balls": [
+        {"id": "cue", "position": [0.7, 0.7]}, {"id": "yellow", "position": [0.3, 0.3]},
+        {"id": "red", "position": [0.7, 2.13]}],
+        "strike": {"ball": "yellow", "speed": 2, "azimuth_deg": 90}}"#;
+    let shot = ShotFile::from_json(text).unwrap();
+    for (player, expected) in [(None, 1), (Some(0), 0), (Some(1), 1)] {
+        let history =
+            FrameHistory::of_shot(Game::ThreeCushion, Options::default(), &shot, player).unwrap();
+        let record = history.record();
+        assert_eq!(record.to_json().contains("\"player\": 1"), expected == 1);
+        let again = FrameHistory::replay(&record).unwrap();
+        assert_eq!(again.frame().player(), Some(expected));
+        assert_eq!(again.frame().hash(), history.frame().hash());
+    }
 }
 
 #[test]

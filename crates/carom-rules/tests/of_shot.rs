@@ -16,7 +16,7 @@ fn the_balls_are_where_the_shot_has_them_and_the_others_are_down() {
     let shot = shot(&format!(
         r#"{{"id": "9", "position": [0.3, 1.5]}}, {CUE}, {{"id": "4", "position": [0.7, 0.4]}}"#
     ));
-    let frame = Frame::of_shot(Game::NineBall, Options::default(), &shot).expect("a frame");
+    let frame = Frame::of_shot(Game::NineBall, Options::default(), &shot, None).expect("a frame");
     let layout = frame.layout();
     for (ball, frame_ball) in (0..).zip(layout.balls()) {
         let lies = shot.ball_index(&frame_ball.id).map(|i| shot.balls()[i].state.position);
@@ -41,7 +41,7 @@ fn balls_that_the_game_cannot_have_are_refused() {
         (r#"{"id": "8", "position": [0.3, 1.5]}"#, "places: "),
     ] {
         let shot = shot(&format!("{CUE}, {more}"));
-        let refused = Frame::of_shot(Game::NineBall, Options::default(), &shot);
+        let refused = Frame::of_shot(Game::NineBall, Options::default(), &shot, None);
         let error = refused.expect_err("it is refused").to_string();
         assert!(error.starts_with(place), "{error}");
     }
@@ -79,7 +79,7 @@ fn on_carom_table(yellow: [f64; 2]) -> Frame {
         yellow[0], yellow[1]
     );
     let shot = Shot::from_json(&text).expect("a shot");
-    Frame::of_shot(Game::ThreeCushion, Options::default(), &shot).expect("a frame")
+    Frame::of_shot(Game::ThreeCushion, Options::default(), &shot, None).expect("a frame")
 }
 
 /// Seen: a frame that began with the cue ball frozen to a ball asked for a shot. Right: the player may
@@ -109,4 +109,37 @@ fn a_frame_resumed_at_places_with_the_cue_ball_frozen_asks_the_seat_that_shoots(
     assert!(frame.turn().is_some(), "the white touches nothing");
     frame.resume_at(&places, 1).expect("three balls");
     assert!(matches!(frame.request(), Request::Choice { player: 1, .. }), "the yellow is frozen");
+}
+
+/// Seen: the recommendations refused a position of three-cushion in which the yellow was struck, because the first
+/// player has the white.
+#[test]
+fn the_player_whose_cue_ball_is_struck_shoots_unless_another_one_is_given() {
+    let text = |ball: &str| {
+        format!(
+            r#"{{"format": "carom-shot/1", "table": "carom-10ft", "balls": [
+                {{"id": "cue", "position": [0.7, 0.7]}}, {{"id": "yellow", "position": [0.3, 0.3]}},
+                {{"id": "red", "position": [0.7, 2.13]}}],
+                "strike": {{"ball": "{ball}", "speed": 2, "azimuth_deg": 90}}}}"#
+        )
+    };
+    let shooter = |game, ball: &str, player| {
+        let shot = Shot::from_json(&text(ball)).expect("a shot");
+        let frame = Frame::of_shot(game, Options::default(), &shot, player).expect("a frame");
+        let turn = frame.turn().expect("a shot");
+        (turn.player, frame.layout().balls()[usize::from(turn.cue)].id.to_string())
+    };
+    let expected = |player, id: &str| (player, id.to_owned());
+    for game in [Game::ThreeCushion, Game::StraightRail] {
+        assert_eq!(shooter(game, "yellow", None), expected(1, "yellow"));
+        assert_eq!(shooter(game, "cue", None), expected(0, "cue"));
+        assert_eq!(shooter(game, "red", None), expected(0, "cue"));
+        assert_eq!(shooter(game, "yellow", Some(0)), expected(0, "cue"));
+        assert_eq!(shooter(game, "cue", Some(1)), expected(1, "yellow"));
+    }
+    // Where the players share the cue ball, the struck ball tells nothing.
+    assert_eq!(shooter(Game::Practice, "yellow", None), expected(0, "cue"));
+    let shot = Shot::from_json(&text("cue")).expect("a shot");
+    let refused = Frame::of_shot(Game::ThreeCushion, Options::default(), &shot, Some(2));
+    assert!(refused.expect_err("there are two players").to_string().starts_with("player: "));
 }

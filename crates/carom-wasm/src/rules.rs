@@ -201,11 +201,17 @@ impl Frame {
         points: i32,
         miss: bool,
         patience: u32,
+        player: Option<usize>,
     ) -> Result<Self, JsValue> {
         let options = Options { points, miss, patience };
-        let frame =
-            Game::read(game).and_then(|game| carom_rules::Frame::of_shot(game, options, &shot.0));
+        let frame = Game::read(game)
+            .and_then(|game| carom_rules::Frame::of_shot(game, options, &shot.0, player));
         frame.map(Self).map_err(|e| to_exception(&e))
+    }
+
+    /// The player whose turn it is; none when the frame is over.
+    pub fn player(&self) -> Option<usize> {
+        self.0.player()
     }
 
     /// The state of the frame, JSON.

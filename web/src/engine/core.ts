@@ -29,6 +29,7 @@ import type {
   FrameOptions,
   FrameRecord,
   FrameState,
+  FrameOfTerms,
   FrameTerms,
   GameFacts,
   PlannedPlay,
@@ -278,15 +279,23 @@ class WasmEngine implements Engine {
     });
   }
 
-  frameOf(game: string, shot: Shot, terms: FrameTerms = {}): Frame {
-    const written = termsOf(known("options", terms, TERMS), this.defaultTerms);
+  frameOf(game: string, shot: Shot, terms: FrameOfTerms = {}): Frame {
+    const { player } = known("options", terms, { ...TERMS, player: true });
+    const shooter = player === undefined ? undefined : Number(whole("player", player, 1));
+    const written = termsOf(terms, this.defaultTerms);
     const { points, miss, patience } = written;
     const handle = handleOf(shot);
     const frame = checked(() =>
-      wasm.Frame.ofShot(text("game", game), handle, points, miss, patience),
+      wasm.Frame.ofShot(text("game", game), handle, points, miss, patience, shooter),
     );
     const file = handle.toJson(true, true);
-    return new WasmFrame(frame, () => ({ game, shot: JSON.parse(file) as ShotFile, ...written }));
+    const isSecond = frame.player() === 1;
+    return new WasmFrame(frame, () => ({
+      game,
+      shot: JSON.parse(file) as ShotFile,
+      ...written,
+      ...(isSecond && { player: 1 }),
+    }));
   }
 
   checkRecord(record: FrameRecord): void {

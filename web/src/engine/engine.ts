@@ -5,7 +5,14 @@ import type { CaromError } from "./error.ts";
 import type { MatchRecord } from "./match.ts";
 import type { StudyFile, TaskVerdict } from "./study.ts";
 import type { Player, PlayerOptions } from "./player.ts";
-import type { Frame, FrameOptions, FrameRecord, FrameTerms, GameFacts } from "./rules.ts";
+import type {
+  Frame,
+  FrameOfTerms,
+  FrameOptions,
+  FrameRecord,
+  FrameTerms,
+  GameFacts,
+} from "./rules.ts";
 import type { Batch, Geometry, Noise, Point, Shot, ShotFile, Trace, TraceFile } from "./types.ts";
 
 /** Options of `Engine.breakShot`. */
@@ -117,11 +124,11 @@ export interface Engine {
   /** Racks a frame of one of the `games`. @throws CaromError for an invalid option. */
   frame(game: string, options?: FrameOptions): Frame;
   /**
-   * A frame that starts from the balls of a shot, on its table. Player 0 shoots from where the cue ball
-   * lies; balls that the shot does not have count as pocketed.
+   * A frame that starts from the balls of a shot, on its table. The cue ball is played from where it lies;
+   * balls that the shot does not have count as pocketed.
    * @throws CaromError if the game does not have these balls, or would be over with them.
    */
-  frameOf(game: string, shot: Shot, terms?: FrameTerms): Frame;
+  frameOf(game: string, shot: Shot, terms?: FrameOfTerms): Frame;
   /**
    * Checks the keys of a record and the types of its parts, without playing it.
    * @throws CaromError that names the place.

@@ -63,7 +63,7 @@ function start(engine: Pick<Engine, "frame" | "frameOf" | "shot">, setup: FrameS
   const { shot: file, ...terms } = options;
   const shot = engine.shot(file);
   try {
-    return engine.frameOf(game, shot, terms);
+    return engine.frameOf(game, shot, { player: 0, ...terms });
   } finally {
     shot.free();
   }

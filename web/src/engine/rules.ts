@@ -186,6 +186,14 @@ export interface FrameTerms {
   readonly patience?: number;
 }
 
+export interface FrameOfTerms extends FrameTerms {
+  /**
+   * The player who shoots next. Default: in games in which each player has a cue ball, the player whose
+   * cue ball the shot strikes; otherwise player 0.
+   */
+  readonly player?: 0 | 1;
+}
+
 export interface FrameOptions extends FrameTerms {
   /** As in a shot file; default: the game's own. */
   readonly table?: string | Readonly<Record<string, unknown>>;
@@ -215,7 +223,11 @@ export type FrameSetup = FrameTerms & { readonly game: string } & (
         readonly physics?: NonNullable<ShotFile["physics"]>;
         readonly seed: number | string;
       }
-    | { readonly shot: ShotFile }
+    | {
+        readonly shot: ShotFile;
+        /** The player who shoots first; 0 if absent. */
+        readonly player?: 0 | 1;
+      }
   );
 
 /** A frame as plain values. Presets have dated names, so a record keeps its bits. */

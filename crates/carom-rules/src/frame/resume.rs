@@ -10,19 +10,38 @@ use crate::seat::Seat;
 
 impl Frame {
     /// A frame on the table and with the physics of `shot` that continues, as with
-    /// [`Self::resume_at`], from the shot's balls; seat 0 shoots. Balls of the game that are
-    /// missing from the shot are down.
+    /// [`Self::resume_at`], from the shot's balls. Balls of the game that are missing from the shot
+    /// are down.
+    ///
+    /// # Arguments
+    /// `player` shoots next. `None` is the player whose cue ball the shot strikes, in games in which
+    /// each player has one; otherwise player 0.
     ///
     /// # Errors
     /// As [`Self::new`] and [`Self::resume_at`]; [`Error::Input`] for a ball that the game does not
     /// have, with a mass or radius other than the game's, or that is not at rest.
-    pub fn of_shot(game: Game, options: Options, shot: &Shot) -> Result<Self, Error> {
+    pub fn of_shot(
+        game: Game,
+        options: Options,
+        shot: &Shot,
+        player: Option<Seat>,
+    ) -> Result<Self, Error> {
         let file = shot.to_node();
         let (table, physics) = (file.get("table").cloned(), file.get("physics").cloned());
         let mut frame = Self::new(game, options, table, physics, 0)?;
         let places = frame.places_of(shot)?;
-        frame.resume_at(&places, 0)?;
+        let player = player.unwrap_or_else(|| frame.owner_of_struck(shot));
+        frame.resume_at(&places, player)?;
         Ok(frame)
+    }
+
+    /// The player whose cue ball `shot` strikes; player 0 where the players share one, and where no
+    /// cue ball is struck.
+    fn owner_of_struck(&self, shot: &Shot) -> Seat {
+        let is_own =
+            |id: &str| self.game().facts().own_cue_balls && self.layout().balls()[1].id == *id;
+        let struck = shot.strike().map(|(ball, _)| shot.balls()[ball].id.as_str());
+        struck.is_some_and(is_own).into()
     }
 
     /// The places of the balls of `shot`, for [`Self::resume_at`]. Balls that are missing from the shot

@@ -90,7 +90,7 @@ export function positionOf(store: Store, engine: Engine): Position | null {
   const { request } = frame.state;
   const { record } = frame;
   frame.free();
-  // The game may have another cue ball than the one that is aimed.
+  // The aimed ball may be none of the game's cue balls.
   if (request.kind !== "shot" || request.cue_ball !== strike.ball) return null;
-  return { key: JSON.stringify([layout, rules, noise]), rules, games, noise, record };
+  return { key: JSON.stringify([layout, strike.ball, rules, noise]), rules, games, noise, record };
 }

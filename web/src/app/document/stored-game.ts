@@ -3,6 +3,7 @@
 import type {
   Call,
   Choice,
+  FrameOfTerms,
   FrameOptions,
   Play,
   Seat,
@@ -44,7 +45,7 @@ export interface Race {
 export interface Setup {
   /** One of the engine's rule sets. */
   readonly rules: string;
-  readonly options: FrameOptions;
+  readonly options: FrameOptions & FrameOfTerms;
   /** The shot whose balls, table and physics the game starts from; null: a new rack. */
   readonly from: ShotFile | null;
   readonly names: Pair<string>;

@@ -108,8 +108,9 @@ function isApplied(move: Move, previous: Move | undefined, { game, request }: Fr
 
 function begun(engine: Engine, { rules, options, from }: Setup): Frame {
   if (from === null) return engine.frame(rules, options);
-  const { points, miss, patience } = options;
+  const { points, miss, patience, player = 0 } = options;
   const terms = {
+    player,
     ...(points !== undefined && { points }),
     ...(miss !== undefined && { miss }),
     ...(patience !== undefined && { patience }),

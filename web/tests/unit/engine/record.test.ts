@@ -126,6 +126,25 @@ test("a frame of a shot has the shot in its record", () => {
   expect(engine.replay(record).record).toEqual(record);
 });
 
+test("a frame of a shot with the yellow begins with the second player, and a record of before with the first", () => {
+  const balls = [
+    { id: "cue", position: [0.7, 0.7] },
+    { id: "yellow", position: [0.3, 0.3] },
+    { id: "red", position: [0.7, 2.13] },
+  ] as const;
+  const strike = { ball: "yellow", speed: 2, azimuth_deg: 60 };
+  const shot = engine.shot({ format: "carom-shot/1", table: "carom-10ft", balls, strike });
+  const yellow = engine.frameOf("three-cushion", shot);
+  expect(yellow.state.request).toMatchObject({ kind: "shot", player: 1, cue_ball: "yellow" });
+  expect(yellow.record.setup).toMatchObject({ player: 1 });
+  expect(engine.replay(yellow.record).hash).toBe(yellow.hash);
+  const white = engine.frameOf("three-cushion", shot, { player: 0 });
+  expect(white.state.request).toMatchObject({ player: 0, cue_ball: "cue" });
+  expect(white.record.setup).not.toHaveProperty("player");
+  expect(engine.replay(white.record).hash).toBe(white.hash);
+  expect(() => engine.frameOf("three-cushion", shot, { player: 2 as 1 })).toThrow(/^player/);
+});
+
 test("a play with errors is the variant of the number of the shot, and recorded as it was played", () => {
   const noise = { ...engine.noisePresets.club!, cling_probability: 1, cling_friction: 0.3 };
   const frame = engine.frame("practice", { seed: 1 });
