@@ -67,7 +67,7 @@ impl FrameHistory {
         let file = shot.written(DefaultElevation::Written, PresetNames::Dated).into_owned();
         let mut setup = Node::object([("game", game.name().into()), ("shot", file)]);
         if frame.player() == Some(1) {
-            setup.set("player", 1);
+            setup.set("player", 1_u32);
         }
         add(&mut setup, options.to_node());
         Ok(Self { frame, setup, moves: Vec::new() })

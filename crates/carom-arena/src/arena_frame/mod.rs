@@ -14,8 +14,8 @@ use std::sync::Arc;
 use carom::error::InputError;
 use carom::format::Node;
 use carom::noise::Perception;
-use carom::trace::TraceRecorder;
-use carom::{BallState, Error, ErrorKind, Noise, Summary};
+use carom::trace::TraceHasher;
+use carom::{Error, ErrorKind, Noise, Shot};
 use carom_mind::{Answer, Decision, Situation};
 use carom_rules::{
     Choice, ErrorDraw, Frame, FrameSimulator, Play, Request, Seat, execute, through_degrees,
@@ -363,31 +363,31 @@ impl ArenaFrame {
         seat: Seat,
         play: &Play,
     ) -> Result<Effect, Error> {
-        let play_here = match self.accept(&fair(play)) {
-            Ok(accepted) => accepted,
-            Err(Error::Input(fault)) => return Ok(self.refused(seat, *fault)),
-            Err(other) => return Err(other),
-        };
-        self.strike(simulator, seat, &play_here)
+        match self.accept(&fair(play)) {
+            Ok((play_here, meant)) => self.strike(simulator, seat, &play_here, meant),
+            Err(Error::Input(fault)) => Ok(self.refused(seat, *fault)),
+            Err(other) => Err(other),
+        }
     }
 
-    /// The play on the true table. The player is asked to answer for what it sees: a place of the
-    /// cue ball that is free there is moved if another ball is truly in the way.
-    fn accept(&self, play: &Play) -> Result<Play, Error> {
-        let Some(seen) = &self.seen else {
-            return self.frame.shot(play).map(|_| *play);
-        };
-        seen.shot(play)?;
-        let moved = place::clear_of_balls(&self.frame, play);
-        self.frame.shot(&moved).map(|_| moved)
+    /// The play on the true table, and its shot. The player is asked to answer for what it sees: a
+    /// place of the cue ball that is free there is moved if another ball is truly in the way.
+    fn accept(&self, play: &Play) -> Result<(Play, Shot), Error> {
+        let mut here = *play;
+        if let Some(seen) = &self.seen {
+            seen.shot(play)?;
+            here = place::clear_of_balls(&self.frame, play);
+        }
+        Ok((here, self.frame.shot(&here)?))
     }
 
-    /// Plays a shot that the frame accepts, with the errors of `seat`.
+    /// Plays a shot that the frame accepts, with the errors of `seat`. `meant` is the shot of `play`.
     fn strike(
         &mut self,
         simulator: &mut FrameSimulator,
         seat: Seat,
         play: &Play,
+        meant: Shot,
     ) -> Result<Effect, Error> {
         let index = self.seats[seat].shots;
         let meter = self.luck_meter();
@@ -399,23 +399,18 @@ impl ArenaFrame {
             None => None,
         };
         let noise = &self.of.settings().noise[self.players[seat]];
-        let prepared = self.frame.shot(play)?;
         let draw = ErrorDraw { seed: self.seeds.errors[seat], index };
-        let (strike, cling) = execute(noise, &prepared, draw)?;
-        let prepared = if cling.is_empty() { prepared } else { prepared.with_cling(cling) };
+        let (strike, cling) = execute(noise, &meant, draw)?;
+        let meant = if cling.is_empty() { meant } else { meant.with_cling(cling) };
         let execution = Execution { strike, cue_ball: play.cue_ball, cling };
-        let executed = prepared.with_strike(&through_degrees(&strike))?;
+        let executed = meant.with_strike(&through_degrees(&strike))?;
         let played = Play { strike: through_degrees(&strike), ..*play };
         self.seats[seat].shots += 1;
         self.reseed();
-        let mut recorder = TraceRecorder::new(&executed);
-        let result = self.frame.play_displaced(simulator, &played, &executed, &mut recorder);
-        let result = result.map(|(ruling, Summary { duration, .. })| {
-            let last: Vec<BallState> = simulator.simulator_mut().states(duration).collect();
-            (recorder.finish(&last, duration).hash(), ruling)
-        });
-        match result {
-            Ok((trace, ruling)) => {
+        let mut hasher = TraceHasher::new(&executed);
+        match self.frame.play_displaced(simulator, &played, &executed, &mut hasher) {
+            Ok((ruling, _)) => {
+                let trace = hasher.finish(simulator.last());
                 self.racked = ruling.racked;
                 let luck = meter.zip(forecast).map(|(meter, Forecast { before, expected })| {
                     ShotLuck { before, expected, after: meter.value(&self.frame, seat) }
@@ -485,7 +480,8 @@ impl ArenaFrame {
             && let Some(play) = self.given_break()
             && let Some(seat) = self.frame.player()
         {
-            let effect = self.strike(simulator, seat, &fair(&play))?;
+            let meant = self.frame.shot(&fair(&play))?;
+            let effect = self.strike(simulator, seat, &fair(&play), meant)?;
             let answer = Some(Answer::Play(play));
             let (win_chance, info, cost) = (None, None, Cost::default());
             let is_given = true;

@@ -202,7 +202,7 @@ impl Frame {
         let prepared = self.prepared(play)?;
         simulator.simulate(&prepared, &through_degrees(&play.strike))?;
         let mut successor = self.clone();
-        let ruling = simulator.rule(&prepared, play.call, &mut successor)?;
+        let ruling = simulator.rule_on(&prepared, play.call, &mut successor);
         *self = successor;
         Ok((ruling, simulator.outcome().clone()))
     }
@@ -225,7 +225,7 @@ impl Frame {
         let prepared = Prepared::with_shot(self, play.cue_ball, shot)?;
         let summary = simulator.simulate_shot_recorded(&prepared, shot, &play.strike, recorder)?;
         let mut successor = self.clone();
-        let ruling = simulator.rule(&prepared, play.call, &mut successor)?;
+        let ruling = simulator.rule_on(&prepared, play.call, &mut successor);
         *self = successor;
         Ok((ruling, summary))
     }

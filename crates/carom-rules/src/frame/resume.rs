@@ -38,8 +38,7 @@ impl Frame {
     /// The player whose cue ball `shot` strikes; player 0 where the players share one, and where no
     /// cue ball is struck.
     fn owner_of_struck(&self, shot: &Shot) -> Seat {
-        let is_own =
-            |id: &str| self.game().facts().own_cue_balls && self.layout().balls()[1].id == *id;
+        let is_own = |id: &str| self.facts().own_cue_balls && self.layout().balls()[1].id == *id;
         let struck = shot.strike().map(|(ball, _)| shot.balls()[ball].id.as_str());
         struck.is_some_and(is_own).into()
     }

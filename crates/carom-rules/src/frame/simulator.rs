@@ -139,16 +139,27 @@ impl FrameSimulator {
         call: Call,
         successor: &mut Frame,
     ) -> Result<Ruling, Error> {
-        assert!(*self.balls == *prepared.balls(), "the last simulation was not of this shot");
         prepared.frame().check_call(prepared.turn(), call)?;
         successor.clone_from(prepared.frame());
+        Ok(self.rule_on(prepared, call, successor))
+    }
+
+    /// As [`Self::rule`], for a call that was checked and a `successor` that is the frame before the
+    /// shot.
+    pub(super) fn rule_on(
+        &self,
+        prepared: &Prepared<'_>,
+        call: Call,
+        successor: &mut Frame,
+    ) -> Ruling {
+        assert!(*self.balls == *prepared.balls(), "the last simulation was not of this shot");
         let layout = &mut successor.state.layout;
         for (&ball, state) in self.balls.iter().zip(&self.last) {
             let gone = matches!(state.motion, MotionState::Pocketed | MotionState::OffTable);
             layout.put(ball, (!gone).then_some([state.position.x, state.position.y]));
         }
         let (turn, before) = (prepared.turn(), prepared.before());
-        Ok(successor.decide(turn, call, self.outcome.outcome(), &self.travel, before))
+        successor.decide(turn, call, self.outcome.outcome(), &self.travel, before)
     }
 
     /// The outcome of the last simulation. Balls are indices of the frame.

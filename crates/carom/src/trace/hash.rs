@@ -10,8 +10,9 @@
 //! version.
 
 use super::{Trace, TraceEventKind};
-use crate::BallState;
+use crate::event::{Event, Recorder};
 use crate::hash::WordHasher;
+use crate::{BallState, Shot};
 
 fn state(hasher: &mut WordHasher, s: &BallState) {
     for v in [s.position, s.velocity, s.angular_velocity] {
@@ -34,14 +35,69 @@ const fn numbers(kind: TraceEventKind) -> [u64; 3] {
     }
 }
 
+/// Hashes a shot while it is simulated, to the [`Trace::hash`] of its trace, which is not kept.
+///
+/// ```
+/// use carom::rack::{Break, Game, break_shot};
+/// use carom::trace::TraceHasher;
+/// use carom::Simulator;
+///
+/// # fn main() -> Result<(), carom::Error> {
+/// let shot = break_shot(&Break::new(Game::NineBall))?;
+/// let mut simulator = Simulator::new();
+/// let mut hasher = TraceHasher::new(&shot);
+/// let summary = simulator.play(&shot, &mut hasher)?;
+/// let states = simulator.states(summary.duration).enumerate();
+/// let last: Vec<_> = states.map(|(i, state)| shot.to_file_coordinates(i, &state)).collect();
+/// assert_eq!(hasher.finish(&last), simulator.record(&shot)?.hash());
+/// # Ok(())
+/// # }
+/// ```
+#[derive(Clone, Debug)]
+pub struct TraceHasher<'a> {
+    shot: &'a Shot,
+    hasher: WordHasher,
+}
+
+impl<'a> TraceHasher<'a> {
+    /// A hasher for one simulation of `shot`.
+    pub fn new(shot: &'a Shot) -> Self {
+        Self { shot, hasher: WordHasher::default() }
+    }
+
+    /// The hash, once `last` are the balls' final states in the file's coordinates.
+    pub fn finish(mut self, last: &[BallState]) -> u64 {
+        last.iter().for_each(|s| state(&mut self.hasher, s));
+        self.hasher.value()
+    }
+}
+
+impl Recorder for TraceHasher<'_> {
+    fn record(&mut self, event: &Event<'_>) {
+        let Self { shot, hasher } = self;
+        head(hasher, event.time, TraceEventKind::of(event.kind, &shot.table), event.balls.len());
+        for (i, &ball) in event.balls.iter().enumerate() {
+            hasher.word(u64::from(ball));
+            for s in [&event.before[i], &event.after[i]] {
+                state(hasher, &shot.to_file_coordinates(ball.into(), s));
+            }
+        }
+    }
+}
+
+/// What comes before the balls of an event.
+fn head(hasher: &mut WordHasher, time: f64, kind: TraceEventKind, balls: usize) {
+    hasher.word(time.to_bits());
+    numbers(kind).into_iter().for_each(|n| hasher.word(n));
+    hasher.word(balls as u64);
+}
+
 impl Trace {
     /// 64 bits over the exact bits of all events and final states.
     pub fn hash(&self) -> u64 {
         let mut hasher = WordHasher::default();
         for event in self.events() {
-            hasher.word(event.time.to_bits());
-            numbers(event.kind).into_iter().for_each(|n| hasher.word(n));
-            hasher.word(event.balls.len() as u64);
+            head(&mut hasher, event.time, event.kind, event.balls.len());
             for (i, &ball) in event.balls.iter().enumerate() {
                 hasher.word(u64::from(ball));
                 state(&mut hasher, &event.before[i]);
