@@ -232,7 +232,7 @@ fn balls_of_a_shot_become_a_situation() {
         frame.shot(&play).expect("a shot")
     };
     assert!(shot.balls().iter().all(|PlacedBall { id, .. }| !id.is_empty()));
-    let again = Frame::of_shot(Game::EightBall, Options::default(), &shot).expect("a frame");
+    let again = Frame::of_shot(Game::EightBall, Options::default(), &shot, None).expect("a frame");
     let decision = decide(&again, Noise::olympiad(1.0), FEW);
     assert!(matches!(decision.answer, Answer::Play(_)));
 }
