@@ -231,7 +231,8 @@ fn a_cell_without_room_on_one_of_the_tables_has_no_chance() {
 
 #[test]
 fn a_referee_rules_on_the_variants_of_every_table() {
-    let frame = Frame::of_shot(Game::NineBall, Options::default(), &slow(0.011)).expect("a frame");
+    let frame =
+        Frame::of_shot(Game::NineBall, Options::default(), &slow(0.011), None).expect("a frame");
     let (_, strike) = slow(0.011).strike().expect("a strike");
     let shot = frame.shot(&carom_rules::Play::new(strike)).expect("a shot");
     let asked = Question {
