@@ -189,7 +189,8 @@ class Frame:
             player,
         )
         frame._moves = []
-        frame._setup = {"game": game, "shot": shot._core.to_object(dated="all")} | options._asdict()
+        start: dict[str, Any] = {"game": game, "shot": shot._core.to_object(dated="all")}
+        frame._setup = start | options._asdict()
         if frame.request.get("player") == 1:
             frame._setup["player"] = 1
         return frame

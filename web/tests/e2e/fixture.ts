@@ -247,7 +247,7 @@ export async function newContext(
 
 /** Waits until the page is usable: its first picture is drawn. */
 export async function usable(page: Page | Frame): Promise<void> {
-  // Asked anew each time: a frame that moves to another process of the browser loses a wait inside it.
+  // Asked again each time: a frame that moves to another process of the browser loses a wait inside it.
   await vi.waitFor(
     async () => {
       const reached = await page.evaluate(() => ({

@@ -7,6 +7,7 @@ import {
   load,
   type Play,
   type Ruling,
+  type ShotFile,
 } from "../../../src/engine/index.ts";
 import { read } from "./files.ts";
 
@@ -127,13 +128,17 @@ test("a frame of a shot has the shot in its record", () => {
 });
 
 test("a frame of a shot with the yellow begins with the second player, and a record of before with the first", () => {
-  const balls = [
-    { id: "cue", position: [0.7, 0.7] },
-    { id: "yellow", position: [0.3, 0.3] },
-    { id: "red", position: [0.7, 2.13] },
-  ] as const;
-  const strike = { ball: "yellow", speed: 2, azimuth_deg: 60 };
-  const shot = engine.shot({ format: "carom-shot/1", table: "carom-10ft", balls, strike });
+  const file: ShotFile = {
+    format: "carom-shot/1",
+    table: "carom-10ft",
+    balls: [
+      { id: "cue", position: [0.7, 0.7] },
+      { id: "yellow", position: [0.3, 0.3] },
+      { id: "red", position: [0.7, 2.13] },
+    ],
+    strike: { ball: "yellow", speed: 2, azimuth_deg: 60 },
+  };
+  const shot = engine.shot(file);
   const yellow = engine.frameOf("three-cushion", shot);
   expect(yellow.state.request).toMatchObject({ kind: "shot", player: 1, cue_ball: "yellow" });
   expect(yellow.record.setup).toMatchObject({ player: 1 });
