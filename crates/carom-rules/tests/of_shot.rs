@@ -138,7 +138,13 @@ fn the_player_whose_cue_ball_is_struck_shoots_unless_another_one_is_given() {
         assert_eq!(shooter(game, "cue", Some(1)), expected(1, "yellow"));
     }
     // Where the players share the cue ball, the struck ball tells nothing.
-    assert_eq!(shooter(Game::Practice, "yellow", None), expected(0, "cue"));
+    let pool = Shot::from_json(&format!(
+        r#"{{"format": "carom-shot/1", "table": "showood-7ft", "balls": [{CUE},
+            {{"id": "1", "position": [0.3, 1.5]}}, {{"id": "9", "position": [0.7, 0.4]}}],
+            "strike": {{"ball": "1", "speed": 2, "azimuth_deg": 90}}}}"#
+    ));
+    let frame = Frame::of_shot(Game::NineBall, Options::default(), &pool.expect("a shot"), None);
+    assert_eq!(frame.expect("a frame").player(), Some(0));
     let shot = Shot::from_json(&text("cue")).expect("a shot");
     let refused = Frame::of_shot(Game::ThreeCushion, Options::default(), &shot, Some(2));
     assert!(refused.expect_err("there are two players").to_string().starts_with("player: "));
