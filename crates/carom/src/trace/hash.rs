@@ -43,7 +43,7 @@ const fn numbers(kind: TraceEventKind) -> [u64; 3] {
 /// use carom::Simulator;
 ///
 /// # fn main() -> Result<(), carom::Error> {
-/// let shot = break_shot(&Break::new(Game::NineBall))?;
+/// let shot = break_shot(&Break::new(Game::NineBall, 7))?;
 /// let mut simulator = Simulator::new();
 /// let mut hasher = TraceHasher::new(&shot);
 /// let summary = simulator.play(&shot, &mut hasher)?;
