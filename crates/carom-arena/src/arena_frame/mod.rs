@@ -14,7 +14,7 @@ use std::sync::Arc;
 use carom::error::InputError;
 use carom::format::Node;
 use carom::noise::Perception;
-use carom::trace::TraceHasher;
+use carom::trace::TraceHashRecorder;
 use carom::{Error, ErrorKind, Noise, Shot};
 use carom_mind::{Answer, Decision, Situation};
 use carom_rules::{
@@ -407,10 +407,10 @@ impl ArenaFrame {
         let played = Play { strike: through_degrees(&strike), ..*play };
         self.seats[seat].shots += 1;
         self.reseed();
-        let mut hasher = TraceHasher::new(&executed);
-        match self.frame.play_displaced(simulator, &played, &executed, &mut hasher) {
+        let mut recorder = TraceHashRecorder::new(&executed);
+        match self.frame.play_displaced(simulator, &played, &executed, &mut recorder) {
             Ok((ruling, _)) => {
-                let trace = hasher.finish(simulator.last());
+                let trace = recorder.finish(simulator.last());
                 self.racked = ruling.racked;
                 let luck = meter.zip(forecast).map(|(meter, Forecast { before, expected })| {
                     ShotLuck { before, expected, after: meter.value(&self.frame, seat) }

@@ -39,28 +39,28 @@ const fn numbers(kind: TraceEventKind) -> [u64; 3] {
 ///
 /// ```
 /// use carom::rack::{Break, Game, break_shot};
-/// use carom::trace::TraceHasher;
+/// use carom::trace::TraceHashRecorder;
 /// use carom::Simulator;
 ///
 /// # fn main() -> Result<(), carom::Error> {
 /// let shot = break_shot(&Break::new(Game::NineBall, 7))?;
 /// let mut simulator = Simulator::new();
-/// let mut hasher = TraceHasher::new(&shot);
-/// let summary = simulator.play(&shot, &mut hasher)?;
+/// let mut recorder = TraceHashRecorder::new(&shot);
+/// let summary = simulator.play(&shot, &mut recorder)?;
 /// let states = simulator.states(summary.duration).enumerate();
 /// let last: Vec<_> = states.map(|(i, state)| shot.to_file_coordinates(i, &state)).collect();
-/// assert_eq!(hasher.finish(&last), simulator.record(&shot)?.hash());
+/// assert_eq!(recorder.finish(&last), simulator.record(&shot)?.hash());
 /// # Ok(())
 /// # }
 /// ```
 #[derive(Clone, Debug)]
-pub struct TraceHasher<'a> {
+pub struct TraceHashRecorder<'a> {
     shot: &'a Shot,
     hasher: WordHasher,
 }
 
-impl<'a> TraceHasher<'a> {
-    /// A hasher for one simulation of `shot`.
+impl<'a> TraceHashRecorder<'a> {
+    /// A recorder for one simulation of `shot`.
     pub fn new(shot: &'a Shot) -> Self {
         Self { shot, hasher: WordHasher::default() }
     }
@@ -72,7 +72,7 @@ impl<'a> TraceHasher<'a> {
     }
 }
 
-impl Recorder for TraceHasher<'_> {
+impl Recorder for TraceHashRecorder<'_> {
     fn record(&mut self, event: &Event<'_>) {
         let Self { shot, hasher } = self;
         head(hasher, event.time, TraceEventKind::of(event.kind, &shot.table), event.balls.len());

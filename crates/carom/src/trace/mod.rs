@@ -12,7 +12,7 @@ use alloc::format;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-pub use hash::TraceHasher;
+pub use hash::TraceHashRecorder;
 pub use orientation::Orientations;
 pub use piece::Piece;
 pub use polyline::Waypoint;
