@@ -120,7 +120,8 @@ pub unsafe extern "C" fn carom_frame_new(
     }
 }
 
-/// A frame that starts from the balls of a shot, on its table, with its physics.
+/// A frame that starts from the balls of a shot, on its table, with its physics. In games in which each
+/// player has a cue ball, the player whose cue ball the shot strikes begins; otherwise player 0.
 ///
 /// def: table, physics and seed are not read; null stands for a definition with default values.
 /// Returns the frame, or null with the text of the error.
