@@ -480,8 +480,9 @@ impl ArenaFrame {
             && let Some(play) = self.given_break()
             && let Some(seat) = self.frame.player()
         {
-            let meant = self.frame.shot(&fair(&play))?;
-            let effect = self.strike(simulator, seat, &fair(&play), meant)?;
+            let given = fair(&play);
+            let meant = self.frame.shot(&given)?;
+            let effect = self.strike(simulator, seat, &given, meant)?;
             let answer = Some(Answer::Play(play));
             let (win_chance, info, cost) = (None, None, Cost::default());
             let is_given = true;
