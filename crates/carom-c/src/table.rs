@@ -3,13 +3,9 @@
 use std::ffi::c_char;
 use std::sync::Arc;
 
-use carom::format::{Node, SHOT_FORMAT};
-use carom::{Error, Shot};
+use carom::Shot;
 
 use crate::entry::{ErrorText, enter, given, index, name_or_object, optional_text, to_c};
-
-/// A place inside every table, for the one ball of the shot that reads the table.
-const INSIDE: [f64; 2] = [0.25, 0.25];
 
 /// A table with its physics; immutable. Any number of threads may use it at once.
 pub struct carom_table {
@@ -56,21 +52,6 @@ pub struct carom_pocket {
     pub radius: f64,
 }
 
-impl carom_table {
-    fn read(table: Node, physics: Option<Node>) -> Result<Self, Error> {
-        let ball = Node::object([("id", "cue".into()), ("position", INSIDE.into())]);
-        let mut file = Node::object([
-            ("format", SHOT_FORMAT.into()),
-            ("table", table),
-            ("balls", Node::list([ball])),
-        ]);
-        if let Some(physics) = physics {
-            file.set("physics", physics);
-        }
-        Shot::from_node(&file).map(|base| Self { base })
-    }
-}
-
 /// A definition of a table with default values.
 ///
 /// Threads: any.
@@ -97,7 +78,8 @@ pub unsafe extern "C" fn carom_table_new(
             let table = optional_text(def.table, "def.table")?.unwrap_or("wpa-9ft");
             let physics = optional_text(def.physics, "def.physics")?;
             let physics = physics.map(|text| name_or_object(text, "physics")).transpose()?;
-            carom_table::read(name_or_object(table, "table")?, physics).map(Box::new).map(Some)
+            let base = Shot::bare(name_or_object(table, "table")?, physics)?;
+            Ok(Some(Box::new(carom_table { base })))
         })
     }
 }

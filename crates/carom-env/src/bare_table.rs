@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use carom::event::Recorder;
-use carom::format::{Node, SHOT_FORMAT};
+use carom::format::Node;
 use carom::math::Vec3;
 use carom::shot::PlacedBall;
 use carom::{BallState, Error, ErrorKind, MotionState, Shot, Simulator};
@@ -11,9 +11,6 @@ use carom_rules::{BallIndex, FrameBall, StateBytes, through_degrees};
 
 use crate::config::Config;
 use crate::episode::{EpisodeStart, NoisyStrike, check_same_place};
-
-/// A place inside every table (file coordinates, m), for the only ball of the base shot.
-const INSIDE: [f64; 2] = [0.25, 0.25];
 
 /// A table with balls, without rules.
 #[derive(Clone)]
@@ -30,16 +27,7 @@ impl BareTable {
         physics: Option<Node>,
         ids: impl Iterator<Item = String>,
     ) -> Result<Self, Error> {
-        let ball = Node::object([("id", "cue".into()), ("position", INSIDE.into())]);
-        let mut file = Node::object([
-            ("format", SHOT_FORMAT.into()),
-            ("table", table),
-            ("balls", Node::list([ball])),
-        ]);
-        if let Some(physics) = physics {
-            file.set("physics", physics);
-        }
-        let base = Shot::from_node(&file)?;
+        let base = Shot::bare(table, physics)?;
         let ball = base.physics().ball;
         let balls: Arc<[FrameBall]> = ids.map(|id| FrameBall { id, ball }).collect();
         let places = vec![None; balls.len()];

@@ -30,9 +30,6 @@ pub use prepared::Prepared;
 pub use simulator::FrameSimulator;
 use stalemate::StalemateCounter;
 
-/// A place inside every table (file coordinates, m), for the only ball of the base shot.
-const INSIDE: [f64; 2] = [0.25, 0.25];
-
 /// One rack, frame or match of a game between two players. [`Clone::clone_from`] allocates nothing.
 #[derive(Debug)]
 pub struct Frame {
@@ -73,7 +70,8 @@ impl Frame {
         seed: u64,
     ) -> Result<Self, Error> {
         options.check()?;
-        let base = Arc::new(base(game, table, physics)?);
+        let table = table.unwrap_or_else(|| game.table().into());
+        let base = Arc::new(Shot::bare(table, physics)?);
         let refuse = |what: &str, remedy| {
             Err(ErrorKind::Unsupported.at("table", format!("{} {what}", game.name()), remedy))
         };
@@ -366,23 +364,9 @@ impl Frame {
 /// presets have their dated names, so that the record replays when the presets have other values.
 /// Without `physics` if the table's name implies it.
 pub fn recorded_setup(game: Game, table: Option<Node>, physics: Option<Node>) -> Node {
-    carom::format::with_dated_names(&setup(game, table, physics))
-}
-
-fn setup(game: Game, table: Option<Node>, physics: Option<Node>) -> Node {
-    let table = table.unwrap_or_else(|| game.table().into());
-    let mut file = Node::object([("table", table)]);
+    let mut file = Node::object([("table", table.unwrap_or_else(|| game.table().into()))]);
     if let Some(physics) = physics {
         file.set("physics", physics);
     }
-    file
-}
-
-/// A shot of one resting ball on the game's table.
-fn base(game: Game, table: Option<Node>, physics: Option<Node>) -> Result<Shot, Error> {
-    let mut file = setup(game, table, physics);
-    file.set("format", carom::format::SHOT_FORMAT);
-    let ball = Node::object([("id", "cue".into()), ("position", INSIDE.into())]);
-    file.set("balls", Node::list([ball]));
-    Shot::from_node(&file)
+    carom::format::with_dated_names(&file)
 }

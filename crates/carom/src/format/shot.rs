@@ -26,6 +26,9 @@ use crate::shot::{
 /// The value of `format` in a shot file.
 pub const SHOT_FORMAT: &str = "carom-shot/1";
 
+/// A place inside every table (file coordinates, m).
+const INSIDE: [f64; 2] = [0.25, 0.25];
+
 const KEYS: &[&str] = &[
     "format",
     "table",
@@ -306,6 +309,24 @@ impl Shot {
     /// As [`ShotFile::from_node`].
     pub fn from_node(file: &Node) -> Result<Self, Error> {
         read(file)
+    }
+
+    /// A shot of one resting ball on a table, for what is asked of the table and its physics alone.
+    /// Both have the form of these keys in a shot file; without `physics` it is the table's own.
+    ///
+    /// # Errors
+    /// As [`ShotFile::from_node`].
+    pub fn bare(table: Node, physics: Option<Node>) -> Result<Self, Error> {
+        let ball = Node::object([("id", "cue".into()), ("position", INSIDE.into())]);
+        let mut file = Node::object([
+            ("format", SHOT_FORMAT.into()),
+            ("table", table),
+            ("balls", Node::list([ball])),
+        ]);
+        if let Some(physics) = physics {
+            file.set("physics", physics);
+        }
+        read(&file)
     }
 
     /// The shot as a shot file, written from its data. It reads back to the same bits. Default
