@@ -8,6 +8,7 @@ import { download } from "../share/download.ts";
 import { dayOf } from "../train/progress/practice-progress.ts";
 import { dateAndTime, t } from "../words/translate.ts";
 import { addBackup, backupOf, backupText, type Kept } from "./backup.ts";
+import { damagedAlert } from "./damaged-alert.ts";
 import type { FinishedGame } from "./finished-game.ts";
 import type { KeptGames } from "./finished-games.ts";
 import { continueButton } from "./kept-banner.ts";
@@ -108,7 +109,7 @@ class KeptList {
       h("h3", {}, t("kept.finished")),
       finished.length > 0 ? h("ul", {}, ...finished) : h("p", { class: "hint" }, t("kept.none")),
       hasMore && button(t("kept.more"), more),
-      all.length > 0 && this.#damaged(all),
+      all.length > 0 && damagedAlert(all, (ids) => this.#removeDamaged(ids)),
       h("p", { class: "hint" }, t(storage.fault ? `kept.fault-${storage.fault}` : "kept.kept")),
       h(
         "div",
@@ -140,29 +141,13 @@ class KeptList {
     );
   }
 
-  /** Entries that cannot be read: they can be saved, and deleted. */
-  #damaged(entries: readonly unknown[]): HTMLElement {
-    const save = () => download(`${JSON.stringify(entries)}\n`, "carom-damaged.json");
-    const remove = async () => {
-      for (const entry of entries) {
-        const id = (entry as { readonly id: string }).id;
-        for (const table of ["works", "games"] as const) {
-          await this.#kept.works.storage.remove(table, id);
-        }
+  async #removeDamaged(ids: readonly string[]): Promise<void> {
+    for (const id of ids) {
+      for (const table of ["works", "games"] as const) {
+        await this.#kept.works.storage.remove(table, id);
       }
-      await this.#refresh();
-    };
-    return h(
-      "div",
-      { role: "alert" },
-      h("p", {}, t("kept.damaged", { count: entries.length })),
-      h(
-        "div",
-        { class: "row" },
-        button(t("kept.save-damaged"), save),
-        button(t("kept.delete-damaged"), () => void remove()),
-      ),
-    );
+    }
+    await this.#refresh();
   }
 
   async #save(): Promise<void> {

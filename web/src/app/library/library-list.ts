@@ -3,6 +3,7 @@
 import type { Context } from "../common/context.ts";
 import { button, h, labelled, uniqueId } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
+import { damagedAlert } from "../kept/damaged-alert.ts";
 import type { Library, Shelf } from "../kept/library.ts";
 import { type LibraryEntry, LONGEST_ENTRY_NAME } from "../kept/library-entry.ts";
 import { download } from "../share/download.ts";
@@ -83,7 +84,7 @@ export class LibraryList {
         folder !== "" && this.#heading(folder, entries),
         h("ul", {}, ...entries.filter((one) => one.folder === folder).map((e) => this.#item(e))),
       ]),
-      damaged.length > 0 && this.#damaged(damaged),
+      damaged.length > 0 && damagedAlert(damaged, (ids) => this.#removeDamaged(ids)),
       storage.fault !== null && h("p", { role: "alert" }, t(`kept.fault-${storage.fault}`)),
     ];
     this.#entries.replaceChildren(...parts.filter((part) => part !== false));
@@ -183,24 +184,9 @@ export class LibraryList {
     undo.focus();
   }
 
-  #damaged(entries: readonly unknown[]): HTMLElement {
-    const remove = async () => {
-      this.#release();
-      for (const entry of entries) await this.#library!.remove((entry as { id: string }).id);
-    };
-    return h(
-      "div",
-      { role: "alert" },
-      h("p", {}, t("kept.damaged", { count: entries.length })),
-      h(
-        "div",
-        { class: "row" },
-        button(t("kept.save-damaged"), () =>
-          download(`${JSON.stringify(entries)}\n`, "carom-damaged.json"),
-        ),
-        button(t("kept.delete-damaged"), () => void remove()),
-      ),
-    );
+  async #removeDamaged(ids: readonly string[]): Promise<void> {
+    this.#release();
+    for (const id of ids) await this.#library!.remove(id);
   }
 
   /** The name in the field, or else a usual one. */

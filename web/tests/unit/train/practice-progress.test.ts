@@ -1,42 +1,15 @@
 import { describe, expect, test } from "vitest";
-import type { DrillFile } from "../../../src/engine/index.ts";
 import {
   bestOf,
   DamagedProgress,
   dayOf,
   merged,
   NOTHING,
-  type Progress,
   progressOfText,
   progressToText,
-  type Result,
   streakOf,
 } from "../../../src/app/train/progress/practice-progress.ts";
-
-/** The engine of a file. */
-const ENGINE = "carom 0.0.1";
-
-const result = (day: number, points: readonly number[], drill = "stop"): Result => ({
-  drill,
-  ended: `2026-11-${String(day).padStart(2, "0")}T10:00:00.000Z`,
-  place: "table",
-  points,
-  errors: null,
-});
-const solved = (date: string, tries = 1) => ({ date, tries, solved: true });
-const drill = (name: string, attempts = 10): DrillFile => ({
-  format: "carom-drill/1",
-  name,
-  table: "wpa-9ft",
-  attempts,
-  steps: [],
-});
-const SOME: Progress = {
-  results: [result(3, [1, 0, 2]), result(5, [1, 2, 3])],
-  puzzles: [solved("2026-11-03", 2), { date: "2026-11-04", tries: 3, solved: false }],
-  attempts: [{ puzzle: "cut-17", time: "2026-11-03T10:00:00.000Z", made: true, rating: 1480 }],
-  drills: [drill("Long straight")],
-};
+import { drill, ENGINE, result, solved, SOME } from "./some-progress.ts";
 
 describe("a progress file", () => {
   test("has everything that was in the progress", () => {

@@ -3,15 +3,10 @@
 import "fake-indexeddb/auto";
 import { IDBFactory, IDBObjectStore } from "fake-indexeddb";
 import { afterEach, beforeEach, expect, test, vi } from "vitest";
-import type { DrillFile } from "../../../src/engine/index.ts";
 import { KeptStorage } from "../../../src/app/kept/kept-storage.ts";
 import type { Box } from "../../../src/app/train/progress/earlier-progress.ts";
-import {
-  NOTHING,
-  type Progress,
-  progressToText,
-  type Result,
-} from "../../../src/app/train/progress/practice-progress.ts";
+import { NOTHING, progressToText } from "../../../src/app/train/progress/practice-progress.ts";
+import { drill, ENGINE, result, SOME } from "./some-progress.ts";
 import { Keeper } from "../../../src/app/train/progress/progress-keeper.ts";
 
 beforeEach(() => {
@@ -22,33 +17,6 @@ afterEach(() => {
   vi.unstubAllGlobals();
   vi.restoreAllMocks();
 });
-
-/** The engine of a file. */
-const ENGINE = "carom 0.0.1";
-
-const result = (day: number, points: readonly number[]): Result => ({
-  drill: "stop",
-  ended: `2026-11-0${day}T10:00:00.000Z`,
-  place: "table",
-  points,
-  errors: null,
-});
-const drill = (name: string, attempts = 10): DrillFile => ({
-  format: "carom-drill/1",
-  name,
-  table: "wpa-9ft",
-  attempts,
-  steps: [],
-});
-const SOME: Progress = {
-  results: [result(3, [1, 0, 2]), result(5, [1, 2, 3])],
-  puzzles: [
-    { date: "2026-11-03", tries: 2, solved: true },
-    { date: "2026-11-04", tries: 3, solved: false },
-  ],
-  attempts: [{ puzzle: "cut-17", time: "2026-11-03T10:00:00.000Z", made: true, rating: 1480 }],
-  drills: [drill("Long straight")],
-};
 
 /** A tab with the progress of the browser. */
 async function opened(box: Box | null = null): Promise<Keeper> {
