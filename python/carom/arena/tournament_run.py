@@ -147,17 +147,19 @@ def play_here(
 
     left = iter(blocks)
     with ThreadPoolExecutor(threads) as pool:
-        running: set[Future[None]] = set()
+        running: list[Future[None]] = []
         try:
             while True:
                 for block in left:
-                    running.add(pool.submit(play, block))
+                    running.append(pool.submit(play, block))
                     if len(running) >= threads:
                         break
                 if not running:
                     return
-                done, running = wait(running, timeout=_PATIENCE, return_when=FIRST_COMPLETED)
-                for future in done:
+                wait(running, timeout=_PATIENCE, return_when=FIRST_COMPLETED)
+                # In the order of the blocks, so that an error is that of the first of them.
+                for future in [one for one in running if one.done()]:
+                    running.remove(future)
                     future.result()
         finally:
             # After Ctrl-C, or an error such as a full disk, the blocks stop until the next run.

@@ -101,18 +101,20 @@ def _here(player: RowPlayer, parts: Parts, missing: list[int], threads: int) -> 
         return
     left = iter(missing)
     with ThreadPoolExecutor(threads) as pool:
-        running: set[Future[Receipt]] = set()
+        running: list[Future[Receipt]] = []
         try:
             while True:
                 # Submit no more than the threads can write: waiting parts would fill memory.
                 for part in left:
-                    running.add(pool.submit(parts.write, player, part, go_on))
+                    running.append(pool.submit(parts.write, player, part, go_on))
                     if len(running) > threads:
                         break
                 if not running:
                     return
-                done, running = wait(running, timeout=_PATIENCE, return_when=FIRST_COMPLETED)
-                for future in done:
+                wait(running, timeout=_PATIENCE, return_when=FIRST_COMPLETED)
+                # In the order of the parts, so that an error is that of the first of them.
+                for future in [one for one in running if one.done()]:
+                    running.remove(future)
                     yield future.result()
         finally:
             # After Ctrl-C, or an error such as a full disk, unfinished parts are abandoned.
