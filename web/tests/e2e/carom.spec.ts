@@ -1,7 +1,7 @@
 /** Games without pockets, in the words of carom. */
 
 import type { Page } from "playwright-core";
-import { DESKTOP, expect, PHONE, picture, settled, test } from "./fixture.ts";
+import { DESKTOP, expect, PHONE, picture, settled, shotOf, test } from "./fixture.ts";
 import { beginGame, showTab } from "./sizes.ts";
 
 /** A carom: off the other cue ball around the table to the red. */
@@ -47,6 +47,24 @@ for (const [name, viewport] of [
     await picture(page, `carom-best-${name}`);
   });
 }
+
+test("the best shots with the yellow as the cue ball are found and aimed", async ({ open }) => {
+  // Seen: the page named no game, because the first player has the white.
+  const page = await open({ viewport: DESKTOP, reducedMotion: "reduce" });
+  await setUp(page, "yellow");
+  await showTab(page, "lines");
+  await page.locator("#panel-lines").getByLabel("Game").selectOption("three-cushion");
+  await page.locator("#panel-lines .lines[data-done=true]:not([data-stale])").waitFor();
+  const routes = await page.locator(".line .route").allTextContents();
+  expect(routes.length).toBeGreaterThan(0);
+  for (const route of routes) {
+    expect(route).toMatch(/off the (white|red), .* on the (white|red), /);
+  }
+  await page.locator(".line").first().focus();
+  await page.keyboard.press("Enter");
+  expect((await shotOf(page)).strike!.ball).toBe("yellow");
+  await picture(page, "carom-best-yellow");
+});
 
 test("a ruling counts balls and cushions", async ({ open }) => {
   const page = await open({ viewport: DESKTOP, reducedMotion: "reduce" });
