@@ -311,7 +311,7 @@ impl Shot {
         read(file)
     }
 
-    /// A shot of one resting ball on a table, for what is asked of the table and its physics alone.
+    /// A shot of one resting ball on a table, for questions that need only the table and its physics.
     /// Both have the form of these keys in a shot file; without `physics` it is the table's own.
     ///
     /// # Errors
