@@ -16,8 +16,7 @@ import { mountNotices } from "./shell/notices.ts";
 import { mountPage, place } from "./page.ts";
 import { applyLanguage } from "./shell/language.ts";
 import { followOrientation, orientationOf } from "./common/seen.ts";
-import { FIRST_VIEW, type Session } from "./document/document.ts";
-import { playsOn } from "./document/plays-on.ts";
+import { FIRST_VIEW } from "./document/document.ts";
 import { Scene } from "./scene.ts";
 import { startOf } from "./start.ts";
 import { Store } from "./document/store.ts";
@@ -67,7 +66,6 @@ async function start(): Promise<void> {
   await nextTask();
   const scene = new Scene(store, context);
   scene.update();
-  const ordered = drawReplaysFirst(store, scene, viewer);
   await nextTask();
   const mountParts = mountPage(store, context, first);
   window.carom = { store, engine, viewer, scene };
@@ -84,7 +82,7 @@ async function start(): Promise<void> {
   await drawn;
   table.style.visibility = "";
   draw = () => {
-    if (store.session !== ordered()) scene.update();
+    scene.update();
     if (viewer.needsPicture) viewer.render();
     readOrientation(store, viewer);
     return viewer.needsPicture;
@@ -93,22 +91,6 @@ async function start(): Promise<void> {
   makeInstallable();
   // The page is usable once the first picture is drawn. Tests wait for this mark; a benchmark reads it.
   requestAnimationFrame(() => performance.mark("carom:interactive"));
-}
-
-/**
- * Orders the pictures of a running replay before the texts change, so that they are drawn meanwhile.
- *
- * @returns The session of the last such picture.
- */
-function drawReplaysFirst(store: Store, scene: Scene, viewer: Viewer): () => Session | null {
-  let ordered: Session | null = null;
-  store.subscribe(({ session }, { session: before }) => {
-    if (!playsOn(session, before)) return;
-    ordered = session;
-    scene.update();
-    viewer.render();
-  });
-  return () => ordered;
 }
 
 /** Time (ms) after which the page starts even if the browser paints nothing, as for a hidden tab. */

@@ -212,8 +212,6 @@ export class Stage {
     else this.#quickly(camera);
     this.#isFine = false;
     if (loupe) this.#magnify(camera, loupe);
-    // Without this nothing is drawn before the end of the browser's frame.
-    renderer.getContext().flush();
   }
 
   dispose(): void {
