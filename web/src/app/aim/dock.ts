@@ -10,7 +10,7 @@ import { wrongBall } from "../game/guide/foul-warning.ts";
 import { guideText } from "../game/guide/guide-words.ts";
 import { canAim } from "../game/awaited-turn.ts";
 import type { Store } from "../document/store.ts";
-import { ballName, obstruction, summary } from "../common/shot-words.ts";
+import { playedName, obstruction, summary } from "../common/shot-words.ts";
 import { isObjectBall } from "../pot/aim-with-snap.ts";
 import { firstContact } from "../pot/first-contact.ts";
 import { hitText, lockText } from "../pot/pot-words.ts";
@@ -105,7 +105,7 @@ function secondTap(store: Store): string {
   const { selected, lock } = store.session;
   if (lock || !isObjectBall(store, selected) || store.shot.geometry.pockets.length === 0) return "";
   const isAimed = azimuthOf(store.document.shot.strike) === azimuthToBall(store, selected);
-  return isAimed ? t("pot.tap-pocket", { ball: ballName(selected) }) : "";
+  return isAimed ? t("pot.tap-pocket", { ball: playedName(selected) }) : "";
 }
 
 /** The outcome, whose first sentence tells what is hit, with how it is hit. */

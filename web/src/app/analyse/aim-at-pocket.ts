@@ -3,7 +3,7 @@
 import { CaromError, type Engine, type PocketName } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { errorText } from "../common/refusals.ts";
-import { ballName, pocketName } from "../common/shot-words.ts";
+import { playedName, pocketName } from "../common/shot-words.ts";
 import type { FoundPot, PotQuestion, Store } from "../document/store.ts";
 import { isObjectBall } from "../pot/aim-with-snap.ts";
 import { Desk } from "./desk/desk-client.ts";
@@ -67,7 +67,7 @@ function aim(
       done(null);
       return;
     }
-    const names = { ball: ballName(ball), pocket: pocketName(found.pocket) };
+    const names = { ball: playedName(ball), pocket: pocketName(found.pocket) };
     try {
       if (store.takeAim(ball, found.pocket, found.aim, t("change.aim-pot", names))) {
         done(found.pocket);
@@ -89,7 +89,7 @@ export function aimAtPocket(
 ): void {
   aim(store, engine, ball, [pocket], (found) => {
     if (found === null) {
-      announce(t("pot.no-line", { ball: ballName(ball), pocket: pocketName(pocket) }));
+      announce(t("pot.no-line", { ball: playedName(ball), pocket: pocketName(pocket) }));
     }
     done(found !== null);
   });
@@ -112,6 +112,6 @@ export function aimAtNextPocket(store: Store, context: Context, step: 1 | -1): v
   const count = pockets.length;
   const order = pockets.map((_, k) => pockets[(from + step * (k + 1) + count * (k + 1)) % count]!);
   aim(store, context.engine, selected, order, (found) => {
-    if (found === null) context.announce(t("pot.no-line-at-all", { ball: ballName(selected) }));
+    if (found === null) context.announce(t("pot.no-line-at-all", { ball: playedName(selected) }));
   });
 }

@@ -2,7 +2,7 @@
 
 import type { Recommendation, Strike } from "../../engine/index.ts";
 import { powerWord } from "../aim/power-bar.ts";
-import { ballName, pocketName } from "../common/shot-words.ts";
+import { playedName, pocketName } from "../common/shot-words.ts";
 import { estimatedPercent, TIP } from "../common/units.ts";
 import { patternText } from "../pot/carom-words.ts";
 import { interval } from "./plan-orders.ts";
@@ -23,7 +23,7 @@ export function recommendationText(recommendation: Recommendation): string {
 export function whatText({ kind, ball, pocket, legs, play, route }: Recommendation): string {
   if (route) return patternText(route);
   if (ball !== null && pocket !== null) {
-    const names = { ball: ballName(ball), pocket: pocketName(pocket) };
+    const names = { ball: playedName(ball), pocket: pocketName(pocket) };
     const through = legs
       .slice(1)
       .map(([id]) => id)
@@ -36,13 +36,13 @@ export function whatText({ kind, ball, pocket, legs, play, route }: Recommendati
       case "combination":
         return through === undefined
           ? capital(t("lines.pot", names))
-          : capital(t("lines.combination", { ...names, other: ballName(through) }));
+          : capital(t("lines.combination", { ...names, other: playedName(through) }));
       default:
         return capital(t("lines.pot", names));
     }
   }
   const on = play.call?.kind === "on" ? play.call.ball : undefined;
-  if (kind === "safety" && on !== undefined) return t("lines.safety-on", { ball: ballName(on) });
+  if (kind === "safety" && on !== undefined) return t("lines.safety-on", { ball: playedName(on) });
   return named("lines", kind) ?? kind;
 }
 
@@ -191,7 +191,7 @@ function partText(
 
 /** The best chance of a zone for the next ball. */
 export function zoneText(next: string, best: number): string {
-  const ball = ballName(next);
+  const ball = playedName(next);
   return best > 0 ? t("next.zone", { ball, best: percent(best) }) : t("next.none", { ball });
 }
 

@@ -7,7 +7,7 @@ import type { Play, PocketName } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText } from "../common/dom.ts";
 import { levelName } from "../common/preset-names.ts";
-import { ballName, pocketName } from "../common/shot-words.ts";
+import { playedName, pocketName } from "../common/shot-words.ts";
 import type { State, Store } from "../document/store.ts";
 import { presentCall } from "../game/calling.ts";
 import { standing } from "../game/awaited-turn.ts";
@@ -114,7 +114,7 @@ function questionOf(store: Store, { engine }: Context): Question | null {
   }
   const pot = potOf(store);
   if (!pot) return null;
-  const names = { ball: ballName(pot.ball), pocket: pocketName(pot.pocket) };
+  const names = { ball: playedName(pot.ball), pocket: pocketName(pot.pocket) };
   return {
     job: job({ shot: store.shot.json(), ...pot }),
     said: (chance, level) => t("chip.pots", { chance, level, ...names }),

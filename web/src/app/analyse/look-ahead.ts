@@ -4,7 +4,7 @@ import type { BallInfo, Engine } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
 import { h, setText, uniqueId } from "../common/dom.ts";
 import { changeUnpressed } from "../common/press.ts";
-import { ballName, pocketName } from "../common/shot-words.ts";
+import { ballName, playedName, pocketName } from "../common/shot-words.ts";
 import type { Store } from "../document/store.ts";
 import { Desk } from "./desk/desk-client.ts";
 import type { Leg, PlanJob } from "./desk/desk-protocol.ts";
@@ -271,7 +271,7 @@ function legItem(store: Store, engine: Engine, leg: Leg): HTMLElement {
     const outline = ellipseAround(leg.stops);
     showShot(store, engine.shot(leg.shot), outline ? [{ outline, color: STOP }] : []);
   };
-  const names = { ball: ballName(ball), pocket: pocketName(pocket) };
+  const names = { ball: playedName(ball), pocket: pocketName(pocket) };
   return h(
     "li",
     {},

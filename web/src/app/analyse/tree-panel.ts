@@ -5,7 +5,7 @@ import type { Context } from "../common/context.ts";
 import { h, labelled, setText, uniqueId } from "../common/dom.ts";
 import { changeUnpressed } from "../common/press.ts";
 import { errorText } from "../common/refusals.ts";
-import { ballName, pocketName } from "../common/shot-words.ts";
+import { playedName, pocketName } from "../common/shot-words.ts";
 import { outcomeOf, treeEngine } from "../document/balls-after.ts";
 import type { Store } from "../document/store.ts";
 import {
@@ -30,7 +30,7 @@ function resultText(engine: Engine, { shot }: TreeNode): string {
   if (!outcome) return t("tree.unplayable");
   const pot = potIn(outcome, shot);
   const said = pot
-    ? capital(t("lines.pot", { ball: ballName(pot[0]), pocket: pocketName(pot[1]) }))
+    ? capital(t("lines.pot", { ball: playedName(pot[0]), pocket: pocketName(pot[1]) }))
     : t("tree.nothing");
   return outcome.cue_ball_scratched ? t("tree.scratch", { text: said }) : said;
 }

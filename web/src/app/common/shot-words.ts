@@ -10,7 +10,7 @@ const REPORTED_HOP = 0.003;
 /** Tolerance (m) of the path whose height is read: a tenth of the lowest reported hop. */
 const TOLERANCE = REPORTED_HOP / 10;
 
-/** A ball's name within a sentence. */
+/** A ball's name within a sentence, as in "red 15": no other ball has it. */
 export function ballName(id: string): string {
   if (/^\d+$/.test(id)) return t("ball.numbered", { id });
   const [, kind, number] = /^([a-z]+)-(\d+)$/.exec(id) ?? [];
@@ -19,9 +19,25 @@ export function ballName(id: string): string {
   return BALLS.includes(id) ? named("ball", id)! : t("ball.other", { id });
 }
 
+/** A ball as players name it within a sentence: one of many reds is "a red". */
+export function playedName(id: string): string {
+  return isOneRed(id) ? t("ball.a-red") : ballName(id);
+}
+
+/** Balls as players name them, for a list: many reds are counted. */
+export function playedNames(ids: readonly string[]): string[] {
+  const count = ids.filter(isOneRed).length;
+  if (count < 2) return ids.map(playedName);
+  const names = ids.map((id) => (isOneRed(id) ? t("ball.reds", { count }) : ballName(id)));
+  return [...new Set(names)];
+}
+
+/** Whether a ball is one of many reds, as in snooker. */
+const isOneRed = (id: string): boolean => /^red-\d+$/.test(id);
+
 /** The name of a ball that is hit: the ball `cue` is the white one while another ball is struck, as in carom. */
 export function objectName(id: string, { cue_ball: struck }: Pick<Outcome, "cue_ball">): string {
-  return id === "cue" && struck !== null && struck !== "cue" ? t("ball.white") : ballName(id);
+  return id === "cue" && struck !== null && struck !== "cue" ? t("ball.white") : playedName(id);
 }
 
 /** Balls that have a name, not a number. */
@@ -98,7 +114,7 @@ export function summary(trace: Trace): string[] {
   }
   for (const [id, over] of outcome.jumped) {
     said.push(
-      sentence(t("outcome.jumps", { ball: ballName(id), other: objectName(over, outcome) })),
+      sentence(t("outcome.jumps", { ball: playedName(id), other: objectName(over, outcome) })),
     );
   }
   const hop = cue === null ? 0 : highest(trace, cue);
@@ -106,7 +122,7 @@ export function summary(trace: Trace): string[] {
     said.push(sentence(t("outcome.hops", { ball: ballName(cue!), height: lengthText(hop) })));
   }
   for (const [id, pocket] of outcome.hanging) {
-    said.push(sentence(t("outcome.hangs", { ball: ballName(id), pocket: pocketName(pocket) })));
+    said.push(sentence(t("outcome.hangs", { ball: playedName(id), pocket: pocketName(pocket) })));
   }
   return said;
 }

@@ -1,7 +1,7 @@
 /** Changes of the strike that several controls share. */
 
 import { azimuthTo, wrap } from "../common/angles.ts";
-import { ballName, obstruction, raised } from "../common/shot-words.ts";
+import { obstruction, playedName, raised } from "../common/shot-words.ts";
 import { automatic, azimuthOf } from "./strike-angles.ts";
 import type { Store } from "./store.ts";
 import { t } from "../words/translate.ts";
@@ -27,7 +27,7 @@ export function azimuthToBall({ shot: { balls, struck } }: Store, id: string): n
 export function aimAt(store: Store, id: string): void {
   const azimuth = azimuthToBall(store, id);
   if (azimuth === null) return;
-  store.strike({ azimuth_deg: azimuth }, t("change.aim-at", { ball: ballName(id) }));
+  store.strike({ azimuth_deg: azimuth }, t("change.aim-at", { ball: playedName(id) }));
 }
 
 /** Lets the engine choose the elevation: the least angle of a real stroke that clears the rails. */

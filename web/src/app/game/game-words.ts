@@ -10,7 +10,7 @@ import type {
   Request,
   Ruling,
 } from "../../engine/index.ts";
-import { ballName, pocketName } from "../common/shot-words.ts";
+import { playedName, playedNames, pocketName } from "../common/shot-words.ts";
 import type { Pair } from "../document/stored-game.ts";
 import type { PlayedMove } from "./game-progress.ts";
 import { keyOf, list, paragraph, type PlainKey, sentence, t } from "../words/translate.ts";
@@ -83,7 +83,7 @@ export function onInWords(
   if (state.groups?.some(Boolean) && group && on.length > 0) return t(`request.${group}`);
   if (state.groups && on.length !== 1) return lying.includes("8") ? t("request.open") : "";
   if (on.length === 0 || on.length > LISTED) return "";
-  return t("request.on", { balls: list(on.map(ballName), "disjunction") });
+  return t("request.on", { balls: list(playedNames(on), "disjunction") });
 }
 
 /** The ruling on a move. */
@@ -148,7 +148,7 @@ function foulInWords({ what, rule }: Ruling["fouls"][number]): string {
 /** The balls by name, or their number if they are many. */
 function listed(balls: readonly string[]): string {
   const count = balls.length;
-  return count > LISTED ? t("ruling.balls", { count }) : list(balls.map(ballName));
+  return count > LISTED ? t("ruling.balls", { count }) : list(playedNames(balls));
 }
 
 function points({ points: scored }: Ruling, names: Pair<string>): string[] {
@@ -180,10 +180,10 @@ export function callInWords(call: Call | null): string {
     case "push-out":
       return t("call.a-push-out");
     case "on":
-      return ballName(call.ball!);
+      return playedName(call.ball!);
     case "pocket":
       return t("call.ball-and-pocket", {
-        ball: call.ball === undefined ? t("call.no-ball") : ballName(call.ball),
+        ball: call.ball === undefined ? t("call.no-ball") : playedName(call.ball),
         pocket:
           call.into === undefined
             ? t("call.no-pocket")

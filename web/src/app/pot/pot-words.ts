@@ -1,6 +1,6 @@
 /** An aim at a pocket in the words of players. */
 
-import { ballName, pocketName } from "../common/shot-words.ts";
+import { playedName, pocketName } from "../common/shot-words.ts";
 import type { PotLock } from "../document/document.ts";
 import { capital, decimal, list, named, sentence, t } from "../words/translate.ts";
 
@@ -23,7 +23,7 @@ export function hitName(fullness: number): string {
 
 /** The aim in a sentence, such as "Ball 9 to the top right pocket: half ball, a cut of 31°, ± 0.30°.". */
 export function lockText(lock: PotLock, contact: { fullness: number; cut: number } | null): string {
-  const names = { ball: capital(ballName(lock.ball)), pocket: pocketName(lock.pocket) };
+  const names = { ball: capital(playedName(lock.ball)), pocket: pocketName(lock.pocket) };
   if (!lock.solved) return t("pot.unsolved", names);
   const how = lock.kind === "direct" && contact ? cutText(contact) : kindText(lock.kind);
   return t("pot.aimed", { ...names, how, margin: decimal(lock.margin, 2) });

@@ -3,7 +3,7 @@
 import { h, setText, uniqueId } from "../common/dom.ts";
 import type { Store } from "../document/store.ts";
 import { refusalText } from "../common/refusals.ts";
-import { ballName } from "../common/shot-words.ts";
+import { playedName } from "../common/shot-words.ts";
 import type { VariantsProgress } from "./variants-client.ts";
 import { type Chance, chanceInWords } from "./chance-statistics.ts";
 import type { Tally } from "./variant-tally.ts";
@@ -70,7 +70,7 @@ interface Row {
 function rowsOf(tally: Tally, store: Store): Row[] {
   const { balls, struck } = store.shot;
   const rows = balls.map(({ id }, index) => ({
-    name: index === struck ? t("chance.scratch", { ball: ballName(id) }) : ballName(id),
+    name: index === struck ? t("chance.scratch", { ball: playedName(id) }) : playedName(id),
     chance: tally.pocketed(index),
     first: index === struck,
   }));
@@ -92,7 +92,7 @@ function notesOf(tally: Tally, { shot }: Store): string[] {
   const notes = shot.balls.flatMap(({ id }, index) => {
     const off = tally.off(index);
     return off.hits > 0
-      ? [sentence(t("chance.off", { ball: ballName(id), chance: chanceInWords(off) }))]
+      ? [sentence(t("chance.off", { ball: playedName(id), chance: chanceInWords(off) }))]
       : [];
   });
   if (tally.reason) {

@@ -3,7 +3,7 @@
 import { CaromError, type Recommendation } from "../../../engine/index.ts";
 import type { Context } from "../../common/context.ts";
 import { h, setText } from "../../common/dom.ts";
-import { ballName, pocketName } from "../../common/shot-words.ts";
+import { playedName, pocketName } from "../../common/shot-words.ts";
 import { estimatedPercent } from "../../common/units.ts";
 import type { Game } from "../../document/stored-game.ts";
 import type { Store } from "../../document/store.ts";
@@ -107,7 +107,7 @@ function chancesInWords(meant: Recommendation): string[] {
 export function playInWords({ kind, ball, pocket, legs }: Recommendation): string {
   const first = legs[1]?.[0];
   if (ball !== null && pocket !== null) {
-    const names = { ball: ballName(ball), pocket: pocketName(pocket) };
+    const names = { ball: playedName(ball), pocket: pocketName(pocket) };
     switch (kind) {
       case "bank":
       case "kick":
@@ -121,7 +121,7 @@ export function playInWords({ kind, ball, pocket, legs }: Recommendation): strin
   const hit = kind === "carom" ? "carom" : "safety";
   return first === undefined
     ? t(`reason.${hit}`)
-    : t(`reason.${hit}-off`, { ball: ballName(first) });
+    : t(`reason.${hit}-off`, { ball: playedName(first) });
 }
 
 /** A probability in percent, as text. */

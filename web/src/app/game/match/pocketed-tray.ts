@@ -3,7 +3,7 @@
 import type { Context } from "../../common/context.ts";
 import { h } from "../../common/dom.ts";
 import { swatch } from "../../common/swatch.ts";
-import { ballName } from "../../common/shot-words.ts";
+import { playedNames } from "../../common/shot-words.ts";
 import type { Store } from "../../document/store.ts";
 import type { Progress } from "../game-progress.ts";
 import { replayedMove } from "../review/reviewed-shots.ts";
@@ -32,7 +32,7 @@ export function mountTray(root: HTMLElement, store: Store, context: Context): vo
     const state = watched === null ? progress?.frame.state : progress?.steps[watched]?.before;
     const balls = progress && state ? trayOf(progress, state.balls) : [];
     tray.hidden = balls.length === 0;
-    tray.setAttribute("aria-label", t("tray.balls", { balls: list(balls.map(ballName)) }));
+    tray.setAttribute("aria-label", t("tray.balls", { balls: list(playedNames(balls)) }));
     tray.replaceChildren(
       ...balls.map((id, index) => {
         const label = h("span", {}, trayLabel(id));

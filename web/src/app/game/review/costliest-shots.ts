@@ -5,7 +5,7 @@ import type { Context } from "../../common/context.ts";
 import { button, h, setText } from "../../common/dom.ts";
 import { errorText } from "../../common/refusals.ts";
 import { changeUnpressed } from "../../common/press.ts";
-import { ballName, pocketName } from "../../common/shot-words.ts";
+import { playedName, pocketName } from "../../common/shot-words.ts";
 import { aimed } from "../../document/shot-file.ts";
 import type { Game } from "../../document/stored-game.ts";
 import type { Store } from "../../document/store.ts";
@@ -176,6 +176,6 @@ function textOf(names: readonly [string, string], { index, player, before, after
 
 function playText({ pocketed, cue_ball: cue, first_contact: first }: Outcome): string {
   const drop = pocketed.find(([ball]) => ball !== cue);
-  if (drop) return t("reason.pot", { ball: ballName(drop[0]), pocket: pocketName(drop[1]) });
-  return first === null ? t("reason.safety") : t("reason.safety-off", { ball: ballName(first) });
+  if (drop) return t("reason.pot", { ball: playedName(drop[0]), pocket: pocketName(drop[1]) });
+  return first === null ? t("reason.safety") : t("reason.safety-off", { ball: playedName(first) });
 }

@@ -4,7 +4,7 @@ import type { DrawnMark, Engine, MarkColor, Point, Strike, Trace } from "../../.
 import { STRIDE } from "../../../engine/types.ts";
 import { strikeText } from "../../analyse/analyse-words.ts";
 import { round4 } from "../../common/angles.ts";
-import { ballName, pocketName, railName } from "../../common/shot-words.ts";
+import { playedName, pocketName, railName } from "../../common/shot-words.ts";
 import { capital, list, paragraph, t } from "../../words/translate.ts";
 import type { PuzzleTask } from "./puzzle-task.ts";
 
@@ -41,13 +41,13 @@ export function hintTexts(engine: Engine, task: PuzzleTask, count: number): stri
 /** What the cue ball meets first, and where a ball falls. */
 function firstText({ outcome }: Trace): string {
   const { first_contact: first, rails_before_first_contact: rails, pocketed } = outcome;
-  const ball = first === null ? "" : ballName(first);
+  const ball = first === null ? "" : playedName(first);
   const meets =
     rails.length > 0
       ? t("puzzle.hint-rails", { rails: list(rails.map(railName)), ball })
       : t("need.first", { ball });
   const falls = pocketed.map(([fallen, pocket]) =>
-    t("puzzle.hint-falls", { ball: capital(ballName(fallen)), pocket: pocketName(pocket) }),
+    t("puzzle.hint-falls", { ball: capital(playedName(fallen)), pocket: pocketName(pocket) }),
   );
   return paragraph([meets, ...falls]);
 }

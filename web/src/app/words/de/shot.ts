@@ -16,6 +16,8 @@ export const texts: Translation<typeof en.shot> = {
   "ball.black": "Schwarze",
   "ball.numbered": "Kugel {id}",
   "ball.red-n": "Rote {number}",
+  "ball.a-red": "Rote",
+  "ball.reds": "{count} Rote",
   "ball.other": "{id}",
   "ball.other-n": "{id} {number}",
 

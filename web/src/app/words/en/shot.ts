@@ -14,6 +14,8 @@ export const texts = {
   "ball.black": "the black",
   "ball.numbered": "ball {id}",
   "ball.red-n": "red {number}",
+  "ball.a-red": "a red",
+  "ball.reds": "{count} reds",
   "ball.other": "the {id}",
   "ball.other-n": "{id} {number}",
 

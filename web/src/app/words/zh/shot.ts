@@ -16,6 +16,8 @@ export const texts: Translation<typeof en.shot> = {
   "ball.black": "黑球",
   "ball.numbered": "{id}号球",
   "ball.red-n": "红球{number}",
+  "ball.a-red": "红球",
+  "ball.reds": "{count}颗红球",
   "ball.other": "{id}",
   "ball.other-n": "{id} {number}",
 
