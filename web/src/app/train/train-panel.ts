@@ -62,8 +62,9 @@ export function mountTrain(
   }
 
   practice.subscribe(() => show(false));
+  // The pictures of the drills take long: another tab does without them.
   keeper.subscribe(() => {
-    if (!practice.running) show(false);
+    if (!practice.running && store.session.activity === "train") show(false);
   });
   if (storage) shareWithTabs(keeper);
   store.subscribe((now, before) => {

@@ -45,7 +45,7 @@ function cataloguesOf(
   const found: Record<string, File> = {};
   for (const [path, texts] of Object.entries(files)) {
     const language = path.split("/")[1]!;
-    found[language] = { ...found[language], ...texts };
+    Object.assign((found[language] ??= {}), texts);
   }
   return found as Record<Language, Catalogue>;
 }
