@@ -36,9 +36,11 @@ try {
   await tab.evaluate((time) => {
     window.carom.viewer.quality = "high";
     window.carom.store.setView({ camera: "orbit" });
-    window.carom.store.setSession({ time, playing: false });
+    window.carom.store.setPart("replay", { time, playing: false });
   }, Number(seconds));
-  await tab.waitForFunction(() => !window.carom.viewer.needsFrame);
+  const shown = `${Number(seconds).toFixed(3)} s`;
+  await tab.getByText(`${shown} /`).waitFor();
+  await tab.waitForFunction(() => window.carom.viewer.needsPicture === false);
   await tab.screenshot({ path: out });
 } finally {
   await browser.close();
