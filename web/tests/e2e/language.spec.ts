@@ -95,11 +95,14 @@ for (const [language, viewport] of [
     const press = (key: keyof typeof CATALOGUES.en) =>
       page.getByRole("button", { name: text(key), exact: true }).click();
     await check("first steps");
-    // Seen: "Sammlung" was cut to "Sam" beside the buttons of a phone.
-    const room = await page
-      .locator("#entrances")
-      .evaluate(({ scrollWidth, clientWidth }) => clientWidth - scrollWidth);
-    expect(room).toBeGreaterThanOrEqual(0);
+    // Seen: "Sammlung" was cut to "Sam" beside the buttons of a phone, also of one with 360 px.
+    for (const width of [360, viewport.width]) {
+      await page.setViewportSize({ ...viewport, width });
+      const room = await page
+        .locator("#entrances")
+        .evaluate(({ scrollWidth, clientWidth }) => clientWidth - scrollWidth);
+      expect(room, `${width} px`).toBeGreaterThanOrEqual(0);
+    }
     expect(await page.evaluate(() => document.documentElement.lang)).toBe(
       { de: "de", zh: "zh-Hans" }[language],
     );
