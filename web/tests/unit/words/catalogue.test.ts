@@ -53,6 +53,16 @@ describe.each(OTHERS)("the catalogue %s", (language) => {
   });
 });
 
+test("German texts say Kugel and Queue, not Ball and cue", () => {
+  // The ids of balls are those of files, and games keep their names.
+  const isName = (key: string) => key.startsWith("game.") || key.startsWith("preset.");
+  for (const [key, entry] of Object.entries(CATALOGUES.de)) {
+    const said = texts(entry).join(" ").replace("Nennen Sie sie cue und 1 bis 15", "");
+    if (!isName(key))
+      expect(said.replaceAll(/\{\w+\}/g, ""), key).not.toMatch(/\b(Balls?|Bälle|cue)\b/i);
+  }
+});
+
 test("the index of English lists every file of texts", () => {
   const listed = Object.values(english).flatMap((file) => Object.keys(file));
   expect(listed.sort()).toEqual(Object.keys(CATALOGUES.en).sort());
