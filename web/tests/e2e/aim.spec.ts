@@ -242,3 +242,20 @@ for (const [viewport, pocket] of [
     expect(seen).toBe(pocket);
   });
 }
+
+test("the speed has one slider, which follows the number under Aim", async ({ open }) => {
+  // Seen: two sliders of one speed stood at different places.
+  const page = await open();
+  await page.getByRole("tab", { name: "Aim" }).click();
+  const panel = page.locator("#panel-aim");
+  const names = () =>
+    panel
+      .getByRole("slider")
+      .evaluateAll((sliders) => sliders.map((each) => each.getAttribute("aria-label")));
+  expect(await names()).toEqual(["Elevation"]);
+  const bar = page.locator("#shoot .power-bar");
+  const before = Number(await bar.inputValue());
+  await speedField(page).fill("9");
+  await speedField(page).press("Enter");
+  expect(Number(await bar.inputValue())).toBeGreaterThan(before);
+});

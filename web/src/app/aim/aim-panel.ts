@@ -11,10 +11,6 @@ import type { Store } from "../document/store.ts";
 import { round, speedFrom, speedIn, type SpeedUnit, SPEED_UNITS, TIP } from "../common/units.ts";
 import { t } from "../words/translate.ts";
 
-/** Range of the speed slider (m/s): from a soft roll to the hardest break. The number field takes up to 50. */
-const SOFTEST = 0.1;
-const HARDEST = 12;
-
 /** Highest elevation of the slider (degrees). The number field takes more. */
 const STEEPEST = 85;
 
@@ -68,10 +64,7 @@ function mountOffsets(root: HTMLElement, store: Store, context: Context): void {
       unit: t("unit.tips-short"),
       spoken: t("unit.tips"),
       digits: 3,
-      min: () => -1 / TIP,
-      max: () => 1 / TIP,
       step: 0.1,
-      slider: false,
       read: () => (store.document.shot.strike[key] ?? 0) / TIP,
       write: (value, group) =>
         store.strike({ [key]: round(value * TIP, 5) }, t("change.tip"), group),
@@ -98,11 +91,8 @@ function mountSpeed(root: HTMLElement, store: Store, context: Context): void {
     unit: units,
     spoken: "",
     digits: 3,
-    min: () => round(speedIn(store.view.units, SOFTEST), 3),
-    max: () => round(speedIn(store.view.units, HARDEST), 1),
     step: 0.05,
-    // The bar beside Shoot is the slider, on a scale of its own.
-    slider: false,
+    // The bar beside Shoot is the slider.
     read: () => speedIn(store.view.units, store.document.shot.strike.speed),
     write: (value, group) =>
       store.strike(
@@ -119,9 +109,8 @@ function mountElevation(root: HTMLElement, store: Store, context: Context): void
     unit: "°",
     spoken: t("unit.degrees"),
     digits: 3,
-    min: () => 0,
-    max: () => STEEPEST,
     step: 0.5,
+    slider: { min: () => 0, max: () => STEEPEST },
     read: () => elevationOf(store.document.shot.strike, store.shot.strike?.elevation ?? 0),
     write: (value, group) => store.strike({ elevation_deg: value }, t("change.elevation"), group),
   });
@@ -154,10 +143,7 @@ function mountDirection(root: HTMLElement, store: Store, context: Context): void
     unit: "°",
     spoken: t("unit.azimuth"),
     digits: AZIMUTH_DIGITS,
-    min: () => 0,
-    max: () => 360,
     step: 0.1,
-    slider: false,
     read: () => azimuthOf(store.document.shot.strike),
     write: (value, group) => store.strike({ azimuth_deg: wrap(value) }, t("change.aim"), group),
   });

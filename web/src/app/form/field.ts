@@ -14,11 +14,9 @@ export interface Quantity {
   /** The unit for screen readers, if it differs from the text shown. */
   readonly spoken?: string;
   readonly digits: number;
-  readonly min: () => number;
-  readonly max: () => number;
   readonly step: number;
-  /** Whether there is a slider. Default true. */
-  readonly slider?: boolean;
+  /** Ends of the slider; without them there is none. */
+  readonly slider?: { readonly min: () => number; readonly max: () => number };
   /** The present number in the unit shown. */
   readonly read: () => number;
   /** @returns Whether the number was accepted. */
@@ -45,7 +43,7 @@ export function mountField(root: HTMLElement, store: Store, context: Context, q:
       { class: "field" },
       label,
       h("div", { class: "value" }, number, unit),
-      q.slider !== false && range,
+      q.slider !== undefined && range,
     ),
   );
 
@@ -74,8 +72,10 @@ export function mountField(root: HTMLElement, store: Store, context: Context, q:
 
   function show(all = false): void {
     const value = round(q.read(), q.digits);
-    range.min = String(q.min());
-    range.max = String(q.max());
+    if (q.slider) {
+      range.min = String(q.slider.min());
+      range.max = String(q.slider.max());
+    }
     if (all || document.activeElement !== range) range.value = String(value);
     range.setAttribute("aria-valuetext", `${decimal(value)} ${spoken}`);
     // Do not overwrite the number while the user types it.

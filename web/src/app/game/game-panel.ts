@@ -106,9 +106,11 @@ function mountHand(root: HTMLElement, store: Store, context: Context): void {
       unit: "m",
       spoken: t("unit.metres"),
       digits: 4,
-      min: () => bounds()?.[0][index] ?? 0,
-      max: () => bounds()?.[1][index] ?? 1,
       step: 0.001,
+      slider: {
+        min: () => bounds()?.[0][index] ?? 0,
+        max: () => bounds()?.[1][index] ?? 1,
+      },
       read: () => hand()?.position[index] ?? 0,
       write: (value, group) => {
         const ball = hand();

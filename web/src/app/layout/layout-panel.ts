@@ -139,9 +139,8 @@ function mountSelected(root: HTMLElement, store: Store, context: Context): void 
       unit: "m",
       spoken: t("unit.metres"),
       digits: 4,
-      min: () => 0,
-      max: () => store.shot.geometry.size?.[index] ?? 1,
       step: 0.001,
+      slider: { min: () => 0, max: () => store.shot.geometry.size?.[index] ?? 1 },
       read: () => selected()?.position[index] ?? 0,
       write: (value, group) => {
         const ball = selected();

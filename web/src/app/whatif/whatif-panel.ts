@@ -158,9 +158,8 @@ function mountSigma(root: HTMLElement, store: Store, context: Context, sigma: Si
     unit,
     spoken: spoken === null ? "" : t(spoken),
     digits: 4,
-    min: () => 0,
-    max: () => max,
     step,
+    slider: { min: () => 0, max: () => max },
     read: () => (store.document.noise?.[key] ?? 0) / scale,
     write: (value, group) => {
       const noise: Noise = {
