@@ -53,7 +53,7 @@ describe.each(OTHERS)("the catalogue %s", (language) => {
   });
 });
 
-test("German texts say Kugel and Queue, not Ball and cue", () => {
+test("German has the words Kugel and Queue, not Ball and cue", () => {
   // The ids of balls are those of files, and games keep their names.
   const isName = (key: string) => key.startsWith("game.") || key.startsWith("preset.");
   for (const [key, entry] of Object.entries(CATALOGUES.de)) {
