@@ -27,7 +27,7 @@ def main() -> int:
         print(f"carom: commit these changes first; a release is a commit:\n{changes}", end="")
         return 2
     version = run("cargo", "pkgid", "-p", "carom").strip().rsplit("#", 1)[1].split("@")[-1]
-    failed = report([Check("build", lambda: _built(OUT))])
+    failed = report([Check("build", lambda: _built(OUT, WORK / "first"))])
     if failed:
         return failed
     again = Check("reproducible", _reproducible)
@@ -42,8 +42,8 @@ def main() -> int:
     return failed
 
 
-def _built(out: Path) -> str:
-    root = WORK / out.name
+def _built(out: Path, root: Path) -> str:
+    """Build into ``out`` from a clone in ``root``."""
     clone(root)
     build(root, out)
     return f"{len(list(out.iterdir()))} files in {out.name}"
@@ -51,8 +51,8 @@ def _built(out: Path) -> str:
 
 def _reproducible() -> str:
     """A second build in another folder gives the same bytes."""
-    again = WORK / "again-dist"
-    _built(again)
+    again = WORK / "again"
+    _built(again, WORK / "second")
     if others := differences(OUT, again):
         raise CheckError(f"two builds differ in {', '.join(others)}")
     return "two builds in two folders give the same bytes"
