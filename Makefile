@@ -77,7 +77,7 @@ lint: $(BUILT) $(MODULES) ## Formatting, lints, types and plain English.
 lint-rust:
 	+cargo fmt --all --check
 	+cargo clippy --workspace --all-targets --quiet -- $(DENY)
-	+@bash scripts/no_std.sh
+	+@bash scripts/crate_builds.sh
 	+@RUSTDOCFLAGS="$(DENY)" cargo doc --no-deps --quiet
 
 lint-page: $(MODULES)
