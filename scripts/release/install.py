@@ -169,7 +169,7 @@ def pipx(built: Path) -> str:
 
 
 def npm(out: Path) -> str:
-    """``npm install`` of the tarball in an empty folder, and the first shot in Node."""
+    """``npm install`` of the tarball in an empty folder; the first shot in Node, as in Python."""
     (packed,) = out.glob("*.tgz")
     with tempfile.TemporaryDirectory(prefix="carom-install-") as name:
         folder = Path(name)
@@ -179,6 +179,9 @@ def npm(out: Path) -> str:
         took = time.perf_counter() - start
         (folder / "shot.js").write_text(NODE_SHOT, encoding="utf-8")
         hash_, first = run("node", "shot.js", at=folder).split()
+    here = run(sys.executable, "-c", SHOT).split()[0]
+    if hash_ != here:
+        raise CheckError(f"the hash of a break is {hash_} in Node and {here} in Python")
     return f"installed in {took:.1f} s, first shot {float(first):.2f} s, hash {hash_}"
 
 
