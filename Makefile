@@ -108,7 +108,7 @@ web-test: $(BUILT) $(PAGE) ## The page's tests, in Node and in Chromium.
 python-test: $(BUILT) $(PAGE) ## The Python tests, the validation and the README's snippets.
 	$(PYTEST) --quiet --durations=10 --numprocesses=2 --dist=worksteal
 
-stress: $(BUILT) ## The long randomised suites: 10 million shots and more (hours).
+stress: $(BUILT) $(MODULES) ## The long randomised suites: 10 million shots and more (hours).
 	bash scripts/vector_builds.sh
 	bash scripts/everywhere.sh all
 	cargo test --release --workspace --exclude carom-py -- --ignored

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Compares the bits on other processors. On aarch64 and riscv64, under qemu: the goldens of every example shot,
-# and with `all` the engine's other tests and 10 000 random shots. On wasm32, in Node, with and without SIMD:
-# the random shots (`make test` compares the goldens in Node and in Chromium).
+# and with `all` the engine's other tests and 10 000 random shots. On wasm32, in Node and Chromium, with and without
+# SIMD: the random shots (`make test` compares the goldens in Node and in Chromium).
 # usage: scripts/everywhere.sh [goldens|all] [aarch64|riscv64|wasm32 ...]
 set -euo pipefail
 
@@ -13,16 +13,23 @@ processors=($processors)
 
 # The hashes of the random shots on wasm32, by WASI: it gives the tests their files.
 wasm32() {
-    local target=wasm32-wasip1 features
+    local target=wasm32-wasip1 features runner runners=("node --no-warnings $PWD/scripts/wasi.mjs")
     if ! command -v node > /dev/null || ! rustc --print target-libdir --target "$target" | xargs test -d; then
         echo "Not run for wasm32: it needs Node and the Rust target (rustup target add $target)"
         return
     fi
+    if [ -d web/node_modules ] && bash scripts/prerequisites.sh has-chromium; then
+        runners+=("node $PWD/web/scripts/wasi_chromium.js")
+    else
+        echo "Not run for wasm32 in Chromium: it needs Chromium and the page's packages (make page)"
+    fi
     for features in -simd128 +simd128; do
-        echo "Random shots on wasm32 with $features:"
-        CARGO_TARGET_WASM32_WASIP1_RUNNER="node --no-warnings $PWD/scripts/wasi.mjs" \
-            RUSTFLAGS="-C target-feature=$features" CARGO_TARGET_DIR="target/wasm32$features" \
-            cargo test --quiet --target "$target" --profile release-tests -p carom-check --test random_hashes
+        for runner in "${runners[@]}"; do
+            echo "Random shots on wasm32 with $features, by ${runner##*/}:"
+            CARGO_TARGET_WASM32_WASIP1_RUNNER=$runner \
+                RUSTFLAGS="-C target-feature=$features" CARGO_TARGET_DIR="target/wasm32$features" \
+                cargo test --quiet --target "$target" --profile release-tests -p carom-check --test random_hashes
+        done
     done
 }
 
