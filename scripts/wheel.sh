@@ -18,4 +18,9 @@ home=${CARGO_HOME:-$HOME/.cargo}
 export RUSTFLAGS="${RUSTFLAGS:-} --remap-path-prefix=$PWD=carom --remap-path-prefix=$home/registry/src=registry"
 # With other flags cargo would build everything again for the tests.
 export CARGO_TARGET_DIR=${CARGO_TARGET_DIR:-target/wheel}
-exec maturin build --release --locked --out "$out" "$@"
+built=$(mktemp -d)
+trap 'rm -rf "$built"' EXIT
+maturin build --release --locked --out "$built" "$@"
+python scripts/wheel_bills.py "$built"/*.whl
+mkdir -p "$out"
+mv "$built"/*.whl "$out"
