@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import shutil
+from itertools import product
 from pathlib import Path
 
 from release.shell import ROOT, run
@@ -12,6 +13,8 @@ from release.shell import ROOT, run
 TARGETS = ("x86_64-unknown-linux-gnu", "aarch64-unknown-linux-gnu")
 # The oldest glibc that Rust supports.
 MANYLINUX = "manylinux2014"
+# The stable ABI, for every CPython from 3.11 on; and the free-threaded CPython, which has none.
+INTERPRETERS = ((), ("--interpreter", "python3.14t"))
 
 
 def published_crates() -> list[str]:
@@ -39,8 +42,8 @@ def build(root: Path, out: Path) -> None:
     run("npm", "ci", "--no-audit", "--no-fund", "--loglevel=error", at=web)
     run("npm", "run", "--silent", "build", "--", "--logLevel", "warn", at=web)
     shutil.copytree(web / "dist", root / "python" / "carom" / "web")
-    for target in TARGETS:
-        options = ("--target", target, "--zig", "--compatibility", MANYLINUX)
+    for target, interpreter in product(TARGETS, INTERPRETERS):
+        options = ("--target", target, "--zig", "--compatibility", MANYLINUX, *interpreter)
         run("bash", "scripts/wheel.sh", str(out), *options, at=root)
     epoch = run("git", "log", "-1", "--format=%ct", at=root).strip()
     run("maturin", "sdist", "--out", str(out), at=root, SOURCE_DATE_EPOCH=epoch)
