@@ -317,6 +317,17 @@ fn a_program_with_too_many_processes_or_too_much_memory_is_ended() {
 }
 
 #[test]
+fn a_program_that_takes_much_memory_at_once_is_ended_with_the_same_reason() {
+    // Where control groups work the kernel ends it before the supervisor looks.
+    let mut order = python("import time\nmuch = b'x' * (1 << 30)\ntime.sleep(100)");
+    order.limits.memory = 100 << 20;
+    let mut session = start(order);
+    let ChannelFault::Crash(why) = fault(&mut session) else { panic!("no crash") };
+    assert_eq!(why, "the program ended because it used more than 100 MiB of memory");
+    session.ends();
+}
+
+#[test]
 fn a_program_that_answers_at_once_cannot_evade_the_limits() {
     // It is stopped long before the next look at a program that runs.
     let mut order = python(

@@ -12,6 +12,7 @@ use carom::{Error, ErrorKind};
 use sha2::{Digest, Sha256};
 
 use super::confinement::Confinement;
+use super::control_group::ControlGroup;
 use super::limits::ProgramLimits;
 use crate::built_in::{read_settings, written_settings};
 use crate::protocol::{MOST_PLAYS, ProtocolSettings};
@@ -119,10 +120,12 @@ impl ProgramCommand {
                 files.set(written, hash);
             }
         }
+        let group = ControlGroup::works().then_some("groups");
+        let enforced = confinement.enforced().iter().copied().chain(group);
         let mut settings = Node::object([
             ("program", Node::list(&self.written)),
             ("sha256", files),
-            ("enforced", Node::list(confinement.enforced().iter().copied())),
+            ("enforced", Node::list(enforced)),
         ]);
         if self.has_settings() {
             settings.set("settings", self.settings.clone());

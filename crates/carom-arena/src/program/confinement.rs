@@ -9,7 +9,7 @@ use carom::{Error, ErrorKind};
 use rustix::thread::set_no_new_privs;
 
 /// The most that a confined program may write into its folder, bytes. The folder is in memory.
-const SCRATCH_BYTES: u64 = 256 << 20;
+pub(super) const SCRATCH_BYTES: u64 = 256 << 20;
 
 /// What separates a program from the rest of the machine. It is a command that stands before the
 /// program's own. Whether the system allows it is found by trying it.

@@ -4,8 +4,8 @@
 //! - [`ProgramChannel`] runs the program and exchanges lines with it. Every wait has a deadline.
 //! - [`ProgramPlayer`] is the program as a player of a match.
 //! - [`supervise`] is the main function of the supervisor, a small process beside every program.
-//! - [`ProgramLimits`] and [`Confinement`] are what is enforced; docs/arena-security.md says what is
-//!   not promised.
+//! - [`ProgramLimits`] and [`Confinement`] are what is enforced, and where the system allows it a control
+//!   group; docs/arena-security.md says what is not promised.
 //!
 //! A program may start other programs, and these may leave its session and its process group. Linux
 //! knows one thing that they cannot leave: when a process ends, its children pass to the nearest
@@ -20,6 +20,7 @@
 mod channel;
 mod command;
 mod confinement;
+mod control_group;
 mod error_log;
 mod limits;
 mod order;

@@ -7,6 +7,7 @@ use carom::Error;
 use carom::format::{Node, Reader};
 
 use super::confinement::Confinement;
+use super::control_group::ControlGroup;
 use super::limits::ProgramLimits;
 
 /// How long a program may take to end after its input is closed, and again after SIGTERM.
@@ -25,13 +26,16 @@ pub struct ProgramOrder {
     pub hidden: Vec<PathBuf>,
     /// How long it may take to end after its input is closed, and again after SIGTERM.
     pub grace: Duration,
+    /// Whether a control group limits it.
+    pub grouped: bool,
 }
 
 impl ProgramOrder {
-    /// A program with the default limits and this confinement.
+    /// A program with the default limits and this confinement, in a control group where these work.
     pub fn new(words: Vec<String>, confinement: Confinement) -> Self {
         let limits = ProgramLimits::default();
-        Self { words, limits, confinement, hidden: Vec::new(), grace: GRACE }
+        let grouped = ControlGroup::works();
+        Self { words, limits, confinement, hidden: Vec::new(), grace: GRACE, grouped }
     }
 
     /// The order as the supervisor gets it.
@@ -43,6 +47,7 @@ impl ProgramOrder {
             ("confinement", self.confinement.name().into()),
             ("hidden", Node::list(hidden)),
             ("grace", self.grace.as_secs_f64().into()),
+            ("grouped", self.grouped.into()),
         ])
     }
 
@@ -66,6 +71,7 @@ impl ProgramOrder {
             confinement: named,
             hidden: texts("hidden")?.into_iter().map(PathBuf::from).collect(),
             grace: Duration::try_from_secs_f64(grace).unwrap_or(GRACE),
+            grouped: reader.require("grouped", "true or false")?.flag()?,
         })
     }
 }
@@ -81,6 +87,7 @@ mod tests {
         order.hidden = vec!["/a/secret".into()];
         for address_space in [None, Some(1 << 40)] {
             order.limits.address_space = address_space;
+            order.grouped = address_space.is_some();
             let line = order.to_node().to_json_line();
             assert_eq!(ProgramOrder::read(&Node::from_json(&line).unwrap()).unwrap(), order);
         }

@@ -25,6 +25,8 @@ use rustix::net::{RecvAncillaryBuffer, RecvAncillaryMessage, RecvFlags, recvmsg}
 use rustix::process::{Pid, WaitOptions, WaitStatus, getpid, set_child_subreaper, setsid, wait};
 use tempfile::TempDir;
 
+use super::control_group::ControlGroup;
+use super::limits::ProgramLimits;
 use super::order::ProgramOrder;
 use super::process_tree::{ProcessTree, TreeProcess, usage};
 
@@ -95,16 +97,27 @@ pub fn supervise() -> io::Result<()> {
     let (order, pipes) = receive_order(&socket)?;
     let scratch = tempfile::Builder::new().prefix("carom-").tempdir()?;
     let reaped = Arc::new(Reaped::default());
-    let reaper = begin_reaper(&socket, &reaped)?;
-    match start(&order, pipes, &scratch) {
+    let group = match order.grouped.then(|| ControlGroup::new(&order.limits)).transpose() {
+        Ok(group) => group.map(Arc::new),
+        Err(error) => {
+            say(&socket, &format!("{FAILED}{error}, for its control group"));
+            return Ok(());
+        }
+    };
+    let reaper = begin_reaper(&socket, &reaped, group.clone(), order.limits)?;
+    match start(&order, group.as_deref(), pipes, &scratch) {
         Err(error) => say(&socket, &format!("{FAILED}{error}")),
         Ok(leader) => {
             // Before the notice of the end, which the thread may send at once.
             say(&socket, STARTED);
             // The thread waits for this, so it is there.
             let _ = reaper.send(leader);
-            Supervised { socket, order, leader, reaped, tree: ProcessTree::of(getpid()) }.obey();
+            let tree = ProcessTree::of(getpid());
+            Supervised { socket, order, leader, reaped, tree, group: group.clone() }.obey();
         }
+    }
+    if let Some(group) = group {
+        group.leave();
     }
     // A folder without rights, or one that grows, is left to the system.
     let _ = scratch.close();
@@ -144,13 +157,19 @@ fn receive_order(socket: &UnixStream) -> io::Result<(ProgramOrder, [OwnedFd; 3])
 
 /// Starts the program: a process group in the session of the supervisor, the folder `scratch`, a
 /// small environment, the limits. It can gain no rights by programs that have them (setuid).
-fn start(order: &ProgramOrder, pipes: [OwnedFd; 3], scratch: &TempDir) -> io::Result<Pid> {
+fn start(
+    order: &ProgramOrder,
+    group: Option<&ControlGroup>,
+    pipes: [OwnedFd; 3],
+    scratch: &TempDir,
+) -> io::Result<Pid> {
     let folder = scratch.path();
     let words = order.confinement.wrap(order.words.clone(), folder, &order.hidden);
     let Some((program, arguments)) = words.split_first() else {
         return Err(io::Error::from(io::ErrorKind::InvalidInput));
     };
     rustix::thread::set_no_new_privs(true)?;
+    group.map_or(Ok(()), ControlGroup::enter)?;
     order.limits.apply()?;
     let [stdin, stdout, stderr] = pipes;
     let mut command = Command::new(program);
@@ -171,7 +190,12 @@ fn environment(folder: &Path) -> impl Iterator<Item = (&'static str, std::ffi::O
 
 /// Begins the thread that waits for the ended processes of the program, after it gets the process ID
 /// of the program.
-fn begin_reaper(socket: &UnixStream, reaped: &Arc<Reaped>) -> io::Result<mpsc::Sender<Pid>> {
+fn begin_reaper(
+    socket: &UnixStream,
+    reaped: &Arc<Reaped>,
+    group: Option<Arc<ControlGroup>>,
+    limits: ProgramLimits,
+) -> io::Result<mpsc::Sender<Pid>> {
     let (sender, receiver) = mpsc::channel::<Pid>();
     let (socket, reaped) = (socket.try_clone()?, Arc::clone(reaped));
     thread::Builder::new().spawn(move || {
@@ -180,7 +204,8 @@ fn begin_reaper(socket: &UnixStream, reaped: &Arc<Reaped>) -> io::Result<mpsc::S
             match wait(WaitOptions::empty()) {
                 Ok(Some((pid, status))) if pid == leader => {
                     reaped.change(|state| state.leader_ended = true);
-                    say(&socket, &format!("{ENDED}{}", describe(status)));
+                    let why = out_of_memory(group.as_deref(), &limits);
+                    say(&socket, &format!("{ENDED}{}", why.unwrap_or_else(|| describe(status))));
                 }
                 Ok(_) | Err(Errno::INTR) => {}
                 // No child is left, so no descendant.
@@ -200,6 +225,15 @@ fn describe(status: WaitStatus) -> String {
     }
 }
 
+/// The limit of memory in words, if the kernel has killed a process of the group for it.
+fn out_of_memory(group: Option<&ControlGroup>, limits: &ProgramLimits) -> Option<String> {
+    group.filter(|group| group.has_run_out_of_memory()).map(|_| too_much_memory(limits))
+}
+
+fn too_much_memory(limits: &ProgramLimits) -> String {
+    format!("because it used more than {} MiB of memory", limits.memory >> 20)
+}
+
 /// A program that was started.
 struct Supervised {
     socket: UnixStream,
@@ -207,6 +241,7 @@ struct Supervised {
     leader: Pid,
     reaped: Arc<Reaped>,
     tree: ProcessTree,
+    group: Option<Arc<ControlGroup>>,
 }
 
 impl Supervised {
@@ -274,8 +309,10 @@ impl Supervised {
         if processes > limits.processes as usize {
             return Some(format!("because it had more than {} processes", limits.processes));
         }
-        let mib = limits.memory >> 20;
-        (memory > limits.memory).then(|| format!("because it used more than {mib} MiB of memory"))
+        if memory > limits.memory {
+            return Some(too_much_memory(limits));
+        }
+        out_of_memory(self.group.as_deref(), limits)
     }
 
     /// Ends the program: its input is closed, so it may end by itself; then SIGTERM, then SIGKILL.
