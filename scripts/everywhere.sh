@@ -62,6 +62,7 @@ for processor in "${processors[@]}"; do
         echo "The engine's tests on $processor:"
         cargo test --quiet --target "$target" -p carom --lib --tests
         echo "Random shots on $processor:"
-        cargo test --quiet --target "$target" -p carom-check --test random_hashes
+        # Optimised, as qemu is slow.
+        cargo test --quiet --target "$target" --profile release-tests -p carom-check --test random_hashes
     fi
 done
