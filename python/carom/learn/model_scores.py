@@ -165,7 +165,7 @@ def _held_out(
     for fold in range(FOLDS):
         learned_from = [one for i, one in enumerate(observed) if i % FOLDS != fold]
         try:
-            vector, *_ = fit(
+            fitted = fit(
                 learned_from,
                 model,
                 rounds=rounds,
@@ -178,7 +178,7 @@ def _held_out(
             scores[fold::FOLDS] = [_worst()] * len(observed[fold::FOLDS])
             continue
 
-        def score(one: Observation, vector: Floats = vector) -> float:
+        def score(one: Observation, vector: Floats = fitted.vector) -> float:
             problem = StrikeProblem(one, *model.shot(one, vector))
             found, _ = search(problem, starts, seed)
             return _log_density(problem, found[0]) if len(found) else _worst()

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Self
 
 from carom import _core
@@ -56,12 +56,16 @@ class LearnedNumbers:
         mean: Their values, shape (p,).
         covariance: Shape (p, p).
         shots: Number of shots that say something about them.
+        strikes: The strike of each filmed shot where the fit ended, by the shot's name: azimuth
+            (rad), speed (m/s), side, height (ball radii), elevation (rad) and clock (s), shape
+            (6,). A file does not have them: then it is empty.
     """
 
     model: TableModel
     mean: Floats
     covariance: Floats
     shots: int
+    strikes: Mapping[str, Floats] = field(default_factory=dict, repr=False)
 
     @classmethod
     def of(cls, model: TableModel, mean: Floats, curvatures: Floats, gradients: Floats) -> Self:
