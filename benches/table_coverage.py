@@ -13,8 +13,9 @@ Restitution and friction of a rail are numbers of its model: those of another ha
 
 Every table is stored as soon as it is done, one a line, in ``benches/results/table_coverage.json``,
 and a run that was stopped continues. ``--again`` learns stored tables too; each stays stored until
-its new one is there. ``--out`` stores in another file, such as for a run of few tables. The exit code is 1 if films of the fit's own model are covered
-less often than in 85 %, or more often than in 95 %. A table takes 7 to 10 s of one core.
+its new one is there. ``--out`` stores in another file, such as for a run of few tables. The exit
+code is 1 if films of the fit's own model are covered less often than in 85 %, or more often than in
+95 %. A table takes 7 to 10 s of one core.
 """
 
 from __future__ import annotations
