@@ -39,7 +39,7 @@ from numpy.typing import NDArray
 STORED = Path(__file__).parent / "results" / "single_runs.json"
 KINDS = ("over_rails", "free")
 QUANTILES = (5, 25, 50, 75, 90, 95)
-#: Runs over so many rails and more are listed together.
+#: Runs over this number of rails and more are listed together.
 MOST = 4
 #: Fewest samples of a run.
 FEWEST = 10
