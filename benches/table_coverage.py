@@ -1,6 +1,6 @@
 """How often the intervals of a learned table cover the truth: simulation-based calibration.
 
-    python benches/table_coverage.py [--tables N] [--films MODEL ...] [--again]
+    python benches/table_coverage.py [--tables N] [--films MODEL ...] [--again] [--out FILE]
 
 Talts, Betancourt, Simpson, Vehtari & Gelman 2018. A table's true numbers are drawn from a normal
 distribution about the preset, a film of it is made, and the table is learned from the film. If the
@@ -12,8 +12,10 @@ that mean the same in both: rolling, sliding, the restitution of two balls, and 
 Restitution and friction of a rail are numbers of its model: those of another have no true value.
 
 Every table is stored as soon as it is done, one a line, in ``benches/results/table_coverage.json``,
-and a run that was stopped continues. The exit code is 1 if films of the fit's own model are covered
-less often than in 85 %, or more often than in 95 %. A table takes 7 to 10 s of one core.
+and a run that was stopped continues. ``--again`` learns stored tables too; each stays stored until
+its new one is there. ``--out`` stores in another file, such as for a run of few tables. The exit
+code is 1 if films of the fit's own model are covered less often than in 85 %, or more often than in
+95 %. A table takes 7 to 10 s of one core.
 """
 
 from __future__ import annotations
@@ -74,11 +76,13 @@ def main() -> int:
     parser.add_argument("--tables", type=int, default=100, help="tables for each cushion model")
     parser.add_argument("--films", nargs="*", choices=FILMED, default=FILMED, metavar="MODEL")
     parser.add_argument("--again", action="store_true", help="learn the stored tables too")
+    parser.add_argument("--out", type=Path, default=STORED, metavar="FILE", help="where to store")
     options = parser.parse_args()
-    rows: list[dict[str, Any]] = []
-    if STORED.is_file() and not options.again:
-        rows = json.loads(STORED.read_text(encoding="utf-8"))["tables"]
-    done = {(row["film"], row["seed"]) for row in rows}
+    rows: dict[tuple[str, int], dict[str, Any]] = {}
+    if options.out.is_file():
+        stored = json.loads(options.out.read_text(encoding="utf-8"))["tables"]
+        rows = {(row["film"], row["seed"]): row for row in stored}
+    done = set() if options.again else set(rows)
     where = report.where()
     for seed in range(options.tables):
         for film in options.films:
@@ -90,10 +94,10 @@ def main() -> int:
                 row |= learned(film, seed)
             except CaromError as error:  # no shot that could be explained
                 row |= {"refused": str(error)}
-            rows.append(row | {"seconds": round(time.perf_counter() - began, 1)})
-            store(where, rows)
-            print(json.dumps(rows[-1]), file=sys.stderr, flush=True)
-    found = {film: shares(rows, film) for film in options.films}
+            rows[film, seed] = row | {"seconds": round(time.perf_counter() - began, 1)}
+            store(options.out, where, [*rows.values()])
+            print(json.dumps(rows[film, seed]), file=sys.stderr, flush=True)
+    found = {film: shares([*rows.values()], film) for film in options.films}
     print(json.dumps(found, indent=1))
     own = found.get(FITTED, {}).get("all")
     return int(own is not None and not PASSES[0] <= own <= PASSES[1])
@@ -249,7 +253,7 @@ def rounded(found: Floats) -> list[float]:
     return [float(f"{value:.6g}") for value in found]
 
 
-def store(where: dict[str, Any], rows: Sequence[dict[str, Any]]) -> None:
+def store(path: Path, where: dict[str, Any], rows: Sequence[dict[str, Any]]) -> None:
     """Writes the shares, and every table in a line of its own."""
     films = [film for film in FILMED if any(row["film"] == film for row in rows)]
     head = where | {
@@ -260,7 +264,7 @@ def store(where: dict[str, Any], rows: Sequence[dict[str, Any]]) -> None:
     }
     lines = ",\n".join("  " + json.dumps(row) for row in rows)
     text = json.dumps(head, indent=1).removesuffix("\n}")
-    write_whole(STORED, f'{text},\n "tables": [\n{lines}\n ]\n}}\n')
+    write_whole(path, f'{text},\n "tables": [\n{lines}\n ]\n}}\n')
 
 
 if __name__ == "__main__":

@@ -19,6 +19,9 @@ import carom.env
 import gymnasium
 import numpy as np
 from carom import picture
+from carom.learn import Posterior
+from carom.learn.table_model import TableModel
+from carom.plan import ListedTables
 
 ROOT = Path(__file__).parents[1]
 # Shot, multiple of the Olympiad's noise, seed, first index. The last two of the second row need
@@ -55,6 +58,7 @@ def main() -> None:
     for name, text in now.items():
         (ROOT / "goldens" / f"{name}.json").write_text(text, encoding="utf-8")
     (ROOT / "goldens" / "decisions.json").write_text(_decisions(), encoding="utf-8")
+    (ROOT / "goldens" / "learned.json").write_text(_learned(), encoding="utf-8")
     _write_environments()
     _write_presets()
     for name, shot in PICTURES.items():
@@ -187,6 +191,71 @@ def _decisions() -> str:
     return "[\n" + ",\n".join(f"  {json.dumps(row)}" for row in rows) + "\n]\n"
 
 
+#: What is known about two tables: the free numbers, and their standard deviations in steps. On the
+#: second one balls lie at the rails, and have no room on some drawn tables.
+KNOWN = {
+    "wpa-9ft": (("rolling.a", "cushion.restitution.a"), 8.0),
+    "carom-10ft": (("rolling.a", "table.width"), 5.0),
+}
+#: The game, the balls and the strike on each, and what the evaluations ask beyond the defaults.
+LEARNED = (
+    (
+        "wpa-9ft",
+        "nine-ball",
+        {"cue": (0.5, 1.2), "1": (0.9, 1.9), "9": (0.3, 0.6)},
+        {"speed": 1.2, "azimuth": 1.05},
+        ({}, {"draws": 5, "perception": {"position": 0.001}}, {"watch": "1", "precision": 0.04}),
+    ),
+    (
+        "carom-10ft",
+        "three-cushion",
+        {"cue": (0.864, 0.801), "yellow": (0.0312, 0.143), "red": (1.076, 2.473)},
+        {"speed": 3.0, "azimuth": 1.8, "side": 0.3, "elevation": 0.06},
+        ({}, {"seed": 3, "level": 0.8}),
+    ),
+)
+#: Drawn tables of a golden; questions take 4 of them unless they say otherwise.
+DRAWN, DRAWS = 12, 4
+
+
+def _learned() -> str:
+    """Chances on learned tables, and the plays that are recommended there."""
+    rows = []
+    for table, game, balls, strike, questions in LEARNED:
+        names, steps = KNOWN[table]
+        model = TableModel(table, None, names)
+        covariance = np.diag((steps * model.steps) ** 2)
+        file = Posterior(model, model.start, covariance, 30).to_dict(draws=DRAWN)
+        learned = {key: file[key] for key in ("table", "physics", "draws")}
+        shot = carom.Shot(table, balls, {"ball": next(iter(balls)), **strike})
+        known = ListedTables.from_dict(learned)
+        on_it = carom.Shot(known.table, shot.balls, physics=known.physics)
+        frame = carom.Frame.of_shot(game, on_it)
+        thinking = {"noise": "club", "simulations": 1000, "seed": 1}
+        rows.append(
+            {
+                "learned": learned,
+                "shot": shot.to_dict(),
+                "evaluations": [evaluated(shot, learned, asked) for asked in questions],
+                "decisions": [decided(frame, thinking, count, known) for count in (None, 3)],
+            }
+        )
+    return "[\n" + ",\n".join(f"  {json.dumps(row)}" for row in rows) + "\n]\n"
+
+
+def evaluated(shot: carom.Shot, learned: dict[str, Any], options: dict[str, Any]) -> dict[str, Any]:
+    """The options of an evaluation on a learned table, named as in JavaScript, and its result."""
+    given: dict[str, Any] = {"draws": DRAWS, **options}
+    if "perception" in given:
+        given["perception"] = carom.Perception.from_dict(given["perception"])
+    noise, known = carom.Noise.preset("club"), ListedTables.from_dict(learned)
+    found = shot.evaluate(noise, 2000, **given, posterior=known).to_dict()
+    # These are what was asked.
+    for key in ("noise", "perception"):
+        del found[key]
+    return {"options": {"draws": DRAWS, **options}, "result": found}
+
+
 def _middle(game: str, seed: int, kind: str) -> carom.Frame:
     """A frame after some random moves that requests a shot or a choice, from ``seed`` on."""
     while True:
@@ -201,13 +270,21 @@ def _middle(game: str, seed: int, kind: str) -> carom.Frame:
 
 
 def decided(
-    frame: carom.Frame, options: dict[str, Any], count: int | None = None
+    frame: carom.Frame,
+    options: dict[str, Any],
+    count: int | None = None,
+    known: ListedTables | None = None,
 ) -> dict[str, Any]:
     """A decision or, with ``count``, an analysis. The options are named as in JavaScript."""
     given = dict(options)
     noise = carom.Noise.preset(given.pop("noise"))
     opponent = given.pop("opponentNoise", None)
-    told = {"noise": noise, "opponent_noise": opponent and carom.Noise.preset(opponent)}
+    told: dict[str, Any] = {
+        "noise": noise,
+        "opponent_noise": opponent and carom.Noise.preset(opponent),
+        "posterior": known,
+        "draws": DRAWS,
+    }
     if "perception" in given:
         given["perception"] = carom.Perception(**given["perception"])
     player = carom.Player(given.pop("name", None), **given)

@@ -75,16 +75,29 @@ def physics() -> list[dict[str, Any]]:
     return _core.physics()
 
 
+# The schemas that are files of this package; the engine has the others.
+_OF_DATA = ("sweep", "tournament", "tracks", "drill", "player")
+
+
 def schema(
     kind: Literal[
-        "shot", "trace", "play", "sweep", "tournament", "arena", "tracks", "study", "drill"
+        "shot",
+        "trace",
+        "play",
+        "sweep",
+        "tournament",
+        "arena",
+        "tracks",
+        "study",
+        "drill",
+        "player",
     ] = "shot",
 ) -> dict[str, Any]:
     """The JSON Schema of a shot file, a trace, a play, or another kind of file.
 
     ``sweep`` is that of a sweep's spec, ``tournament`` that of a tournament's file, ``tracks`` that
     of the header of tracks, and ``study`` that of a study, which refers to those of a shot file and
-    a drill; ``drill`` is that of a drill.
+    a drill; ``drill`` is that of a drill, and ``player`` that of a learned player.
     ``arena`` is that of the messages between a referee and a program, ``carom-arena/1``: its
     ``$defs`` have one for each message.
 
@@ -93,7 +106,7 @@ def schema(
     Raises:
         InputError: There is no schema of that name.
     """
-    if checked("kind", kind, '"shot"') in ("sweep", "tournament", "tracks", "drill"):
+    if checked("kind", kind, '"shot"') in _OF_DATA:
         path = Path(__file__).with_name("data") / f"carom-{kind}-1.json"
         text = path.read_text(encoding="utf-8")
     elif kind in ("shot", "trace", "play", "arena", "study"):
@@ -103,8 +116,8 @@ def schema(
             "unknown-name",
             "kind",
             f'there is no schema "{kind}"',
-            'write "shot", "trace", "play", "sweep", "tournament", "arena", "tracks", "study" or '
-            '"drill"',
+            'write "shot", "trace", "play", "sweep", "tournament", "arena", "tracks", "study", '
+            '"drill" or "player"',
         )
     result: dict[str, Any] = json.loads(text)
     return result

@@ -484,7 +484,7 @@ def test_every_listed_physics_is_that_of_a_shot_with_its_name() -> None:
         assert len(set(ends.values())) == 1, preset["name"]
 
 
-@pytest.mark.parametrize("kind", ["shot", "trace", "arena", "tracks"])
+@pytest.mark.parametrize("kind", ["shot", "trace", "arena", "tracks", "player"])
 def test_schema_prints_a_json_schema(run: CommandLine, kind: str) -> None:
     done = run("schema", kind)
     assert done.returncode == 0

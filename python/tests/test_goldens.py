@@ -23,6 +23,7 @@ GOLDENS = {
 
 GAMES = json.loads((ROOT / "goldens" / "games.json").read_text())
 DECISIONS = json.loads((ROOT / "goldens" / "decisions.json").read_text())
+LEARNED = json.loads((ROOT / "goldens" / "learned.json").read_text())
 
 
 def test_every_example_shot_has_a_golden() -> None:
@@ -61,6 +62,22 @@ def test_a_player_decides_and_recommends_as_its_golden(
     frame = carom.Frame.replay(golden["record"])
     row = write_goldens.decided(frame, golden["options"], golden.get("count"))
     assert json.loads(json.dumps(row)) == golden
+
+
+@pytest.mark.parametrize("golden", LEARNED)
+def test_chances_on_a_learned_table_are_those_of_their_golden(
+    golden: dict[str, Any], write_goldens: ModuleType
+) -> None:
+    shot, learned = Shot.from_dict(golden["shot"]), golden["learned"]
+    for asked in golden["evaluations"]:
+        row = write_goldens.evaluated(shot, learned, asked["options"])
+        assert json.loads(json.dumps(row)) == asked
+        assert asked["result"]["tables"] > 1
+    known = carom.plan.ListedTables.from_dict(learned)
+    for asked in golden["decisions"]:
+        frame = carom.Frame.replay(asked["record"])
+        row = write_goldens.decided(frame, asked["options"], asked.get("count"), known)
+        assert json.loads(json.dumps(row)) == asked
 
 
 @pytest.mark.parametrize("golden", GAMES, ids=lambda golden: golden["game"])

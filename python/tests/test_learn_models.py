@@ -61,6 +61,50 @@ def test_the_model_that_made_a_film_has_the_best_score(
     assert learn.compare_models(film, **how) == [best, other]
 
 
+SENSORS = carom.Noise(azimuth=2e-4, side_m=1e-4, height_m=1e-4, elevation=1e-3, speed=0.005)
+
+
+def test_a_drill_that_ends_after_the_rail_compares_models_by_its_intentions() -> None:
+    """Half a second of film is too short to tell a strike that is not known."""
+    balls = {"1": (0.7, 0.7), "2": (0.4, 2.4), "3": (1.0, 2.5)}
+    drill = carom.Shot("carom-10ft", balls, carom.Strike(2.5, 0.4, side=0.3, ball="1"))
+    played = [SENSORS.variant(drill, index).with_until(0.6) for index in range(6)]
+    drills = learn.synthetic(played, clock_offset=0.1, seed=4).tracks
+    how: dict[str, Any] = {"models": MODELS, "rounds": 1, **FEW}
+    unknown = learn.compare_models(drills, **how)
+    assert [one.score for one in unknown] == pytest.approx([module._worst()] * 2)
+    best, other = learn.compare_models(drills, intended=drill, noise=SENSORS, **how)
+    assert best.model == "han-2005, compliant"
+    assert best.score - other.score > 2.0 * other.standard_error > 0.0
+    assert best.score > module._worst()
+
+
+def test_shots_that_are_held_out_have_strikes_near_their_intentions(film: learn.Tracks) -> None:
+    shots = dict(zip([shot.name for shot in film], three_cushion_shots(6), strict=True))
+    turned = {name: shot.with_strike(azimuth_deg=-90.0) for name, shot in shots.items()}
+    how: dict[str, Any] = {"models": MODELS[1:], "rounds": 1, "noise": SENSORS, **FEW}
+    (right,) = learn.compare_models(film, intended=shots, **how)
+    # Every second shot is held out of a fit to shots whose intentions are right.
+    wrong = {name: turned[name] for name in list(turned)[::2]}
+    (half,) = learn.compare_models(film, intended=shots | wrong, **how)
+    assert half.score < right.score - 1.0
+
+
+def test_intentions_of_a_comparison_are_checked_and_part_of_its_question(
+    film: learn.Tracks, tmp_path: Path
+) -> None:
+    how: dict[str, Any] = {"models": MODELS[1:], "rounds": 1, **FEW}
+    with pytest.raises(InputError, match="no shot is called 'ten'"):
+        learn.compare_models(film, intended={"ten": three_cushion_shots(1)[0]}, **how)
+    with pytest.raises(InputError, match="give intended too"):
+        learn.compare_models(film, noise=SENSORS, **how)
+    learn.compare_models(film[:4], keep=tmp_path / "models.json", **how)
+    with pytest.raises(InputError, match="other options"):
+        learn.compare_models(
+            film[:4], intended=three_cushion_shots(1)[0], keep=tmp_path / "models.json", **how
+        )
+
+
 def test_every_model_of_the_engine_is_compared_by_default() -> None:
     base = module.TableModel("carom-10ft", "carom", (), 0.03075)
     pairs = module._usual(base)

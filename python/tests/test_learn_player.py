@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import carom
+import jsonschema
 import numpy as np
 import pytest
 from carom import learn
@@ -142,19 +143,104 @@ def test_a_player_is_read_as_it_was_written_and_is_a_noise_of_the_command_line(
     assert json.loads(done.stdout)["noise"] == found.noise.to_dict()
 
 
-@pytest.mark.parametrize(
-    ("change", "words"),
-    [
-        ({"format": "carom-shot/1"}, "carom-player/1"),
-        ({"draws": {}}, "cannot be read"),
-        ({"draws": {"bias": [], "covariance": []}}, "do not fit"),
-        ({"draws": {"bias": [[0] * 5], "covariance": [[-1.0] * 15]}}, "cannot be read"),
-    ],
-)
-def test_a_damaged_file_of_a_player_is_refused(change: dict[str, Any], words: str) -> None:
-    file = learn.player(strikes(5, 0.1, 6), DRILL, draws=20).to_dict()
-    with pytest.raises(InputError, match=words):
-        learn.PlayerPosterior.from_dict(file | change)
+@pytest.fixture(scope="module")
+def player_file() -> dict[str, Any]:
+    """The file of a player with unknown intentions, which has all keys."""
+    found = learn.player(aimed_shots(3, 0.005, 2), draws=20)
+    assert len(found.choices) == 6
+    file: dict[str, Any] = json.loads(found.to_json())
+    return file
+
+
+def test_the_file_of_a_player_and_its_schema_agree(player_file: dict[str, Any]) -> None:
+    schema = carom.schema("player")
+    jsonschema.Draft202012Validator.check_schema(schema)
+    jsonschema.Draft202012Validator(schema).validate(player_file)
+    assert set(player_file) == set(schema["properties"])
+    assert player_file["engine"] == f"carom {carom.__version__}"
+    again = learn.PlayerPosterior.from_dict(player_file).to_dict()
+    # The noise is computed again from draws that were rounded to six digits.
+    noise, written = again.pop("noise"), player_file["noise"]
+    assert again == {key: value for key, value in player_file.items() if key != "noise"}
+    for key in ("covariance", "bias"):
+        np.testing.assert_allclose(noise[key], written[key], rtol=1e-3, atol=1e-8)
+
+
+def test_a_file_of_an_older_or_a_newer_engine_is_read(player_file: dict[str, Any]) -> None:
+    found = learn.PlayerPosterior.from_dict(player_file)
+    older = {key: value for key, value in player_file.items() if key != "engine"}
+    for file in (older, player_file | {"hand": "left"}):
+        assert learn.PlayerPosterior.from_dict(file).to_dict() == found.to_dict()
+
+
+BROKEN: dict[str, tuple[dict[str, Any], str]] = {
+    "another format": ({"format": "carom-shot/1"}, "format"),
+    "no name": ({"name": None}, "name"),
+    "no strikes": ({"shots": 0}, "shots"),
+    "a speed of zero": ({"speed": 0.0}, "speed"),
+    "a text for a speed": ({"speed": "3 m/s"}, "speed"),
+    "no draws": ({"draws": {}}, "draws.bias"),
+    "draws that are a list": ({"draws": []}, "draws"),
+    "an empty list of draws": ({"draws": {"bias": [], "covariance": []}}, "draws.bias"),
+    "rows of four": ({"draws": {"bias": [[0] * 4], "covariance": [[1] * 15]}}, "draws.bias"),
+    "rows of texts": ({"draws": {"bias": [["0"] * 5], "covariance": [[1] * 15]}}, "draws.bias"),
+    "four deviations": ({"measured": [0.1] * 4}, "measured"),
+    "a negative deviation": ({"measured": [0.1, 0.1, 0.1, 0.1, -0.1]}, "measured"),
+    "a share above 1": ({"background": 1.5}, "background"),
+    "a choice without sigma": ({"choices": [{"name": "all"}]}, "choices[0].sigma"),
+    "a choice of one sigma": (
+        {"choices": [{"name": "all", "sigma": [[1, 2, 3]]}]},
+        "choices[0].sigma",
+    ),
+    "a noise without its covariance": ({"noise": {"covariance": [[1.0]]}}, "noise.covariance[0]"),
+}
+
+
+@pytest.mark.parametrize("what", BROKEN)
+def test_a_damaged_file_of_a_player_is_refused_at_its_place(
+    what: str, player_file: dict[str, Any], tmp_path: Path
+) -> None:
+    change, place = BROKEN[what]
+    broken = player_file | change
+    assert not jsonschema.Draft202012Validator(carom.schema("player")).is_valid(broken)
+    path = tmp_path / "player.json"
+    path.write_text(json.dumps(broken), encoding="utf-8")
+    with pytest.raises(InputError) as refused:
+        learn.PlayerPosterior.load(path)
+    assert refused.value.place == f"{path}: {place}"
+    assert refused.value.remedy
+
+
+def test_what_a_schema_cannot_tell_of_a_player_is_refused(player_file: dict[str, Any]) -> None:
+    for draws, words in (
+        ({"bias": [[0] * 5] * 2, "covariance": [[1] * 15]}, "do not fit"),
+        ({"bias": [[0] * 5], "covariance": [[-1.0] * 15]}, "not positive definite"),
+        ({"bias": [[math.inf] * 5], "covariance": [[1] * 15]}, "not finite"),
+    ):
+        with pytest.raises(InputError, match=words):
+            learn.PlayerPosterior.from_dict(player_file | {"draws": draws})
+    for key in carom.schema("player")["required"]:
+        with pytest.raises(InputError) as refused:
+            learn.PlayerPosterior.from_dict({k: v for k, v in player_file.items() if k != key})
+        assert refused.value.place == key
+
+
+def test_a_file_without_a_noise_is_refused_by_the_command_line(
+    player_file: dict[str, Any], tmp_path: Path, run: CommandLine
+) -> None:
+    path, drill = tmp_path / "player.json", tmp_path / "shot.json"
+    DRILL.save(drill)
+    without = {key: value for key, value in player_file.items() if key != "noise"}
+    for text, words in (
+        (drill.read_text(encoding="utf-8"), "'carom-shot/1' has no noise"),
+        (json.dumps(without), "noise: the key is missing"),
+        ("{", f"{path}"),
+    ):
+        path.write_text(text, encoding="utf-8")
+        done = run("evaluate", str(drill), "--noise", str(path), "-n", "50")
+        assert done.returncode == 2
+        assert str(path) in done.stderr
+        assert words in done.stderr
 
 
 def test_chances_include_what_is_not_known_of_the_player() -> None:

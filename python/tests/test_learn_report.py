@@ -5,11 +5,13 @@ from __future__ import annotations
 import re
 from html.parser import HTMLParser
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 from carom import learn
-from carom.learn import FitReport, ModelScore, fit_report
+from carom.errors import InputError
+from carom.learn import FitReport, ModelScore, filmed_strikes, fit_report
 from carom.learn.report_curves import coefficients, rolling_deceleration, throw
 from carom.learn.report_page import report_html
 from carom.learn.table_model import TableModel
@@ -77,6 +79,33 @@ def test_balls_without_friction_are_not_thrown() -> None:
     physics = {"base": "carom", "ball_ball": {"friction": 0.0}}
     np.testing.assert_allclose(throw(physics, np.radians([10.0, 50.0]), None), 0.0, atol=2e-3)
     assert (throw({"base": "carom"}, np.radians([20.0, 40.0]), None) > 0.01).all()
+
+
+def test_a_report_searches_no_strike_that_the_fit_has_found(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    tracks = learn.synthetic(three_cushion_shots(3), clock_offset=0.3, seed=1).tracks
+    learned = learn.table(tracks, free=NAMES, rounds=2, starts=20)
+    assert set(learned.strikes) == {"1", "2", "3"}
+    searched = {one.name: one for one in learn.strikes(tracks, learned, starts=20)}
+
+    def refuse(*_: Any) -> None:
+        raise AssertionError("a strike was searched")
+
+    monkeypatch.setattr(filmed_strikes, "search", refuse)
+    for shot in fit_report(tracks, learned).shots:
+        # Half a millimetre: both are minima, in which the noise of 1 mm remains.
+        assert shot.strike.rmse < searched[shot.name].rmse + 0.0005
+    learned.save(tmp_path / "learned.json")
+    with pytest.raises(AssertionError, match="was searched"):
+        fit_report(tracks, learn.Posterior.load(tmp_path / "learned.json"))
+
+
+def test_strikes_that_are_known_already_are_checked() -> None:
+    tracks = learn.synthetic(three_cushion_shots(1), seed=1).tracks
+    for strike in ([1.0, 2.0], [np.nan] * 6, "fast"):
+        with pytest.raises(InputError, match=r"begin\['1'\]"):
+            learn.strikes(tracks, begin={"1": strike})  # type: ignore[dict-item]
 
 
 def test_a_posterior_writes_its_page(report: FitReport, tmp_path: Path) -> None:

@@ -13,6 +13,7 @@ import pytest
 from carom import InputError, Noise, Shot
 from carom.learn import Posterior
 from carom.learn.table_model import TableModel
+from carom.plan import ListedTables
 
 if TYPE_CHECKING:
     from collections.abc import Mapping
@@ -277,3 +278,42 @@ def test_the_commands_take_what_was_learned(slow: Shot, run: CommandLine, tmp_pa
         done = run("evaluate", str(file), *words)
         assert done.returncode == 2
         assert text in done.stderr
+
+
+def test_the_tables_of_a_file_are_draws_and_taken_in_turn(slow: Shot, tmp_path: Path) -> None:
+    known = posterior(8.0)
+    known.save(tmp_path / "learned.json", draws=7)
+    file = json.loads((tmp_path / "learned.json").read_text(encoding="utf-8"))
+    drawn = [{"table": one.table, "physics": one.physics} for one in known.draw(7)]
+    assert file["draws"] == drawn
+    assert Posterior.load(tmp_path / "learned.json").mean.tolist() == known.mean.tolist()
+    listed = ListedTables.from_dict(file)
+    # The second question of three tables has those behind the first one's, around the list.
+    found = [drawn.index({"table": t.table, "physics": t.physics}) for t in listed.draw(3, 2)]
+    assert found == [6, 0, 1]
+    # Seed 0 draws the tables from the beginning, as the posterior does.
+    both = [slow.evaluate(CLUB, 700, posterior=one, draws=7) for one in (known, listed)]
+    assert both[0].to_dict() == both[1].to_dict()
+    assert len(json.loads(known.to_json())["draws"]) == 96
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"draws": None}, "^draws: it is not a list"),
+        ({"draws": [{}]}, r"^draws\[0\]: it has no table and physics"),
+        ({"table": ...}, "^table: the key is missing"),
+    ],
+)
+def test_a_file_without_drawn_tables_is_refused(change: dict[str, Any], words: str) -> None:
+    file = {**posterior(8.0).to_dict(draws=3), **change}
+    with pytest.raises(InputError, match=words):
+        ListedTables.from_dict({key: value for key, value in file.items() if value is not ...})
+
+
+def test_more_draws_than_a_file_has_are_refused(slow: Shot) -> None:
+    listed = ListedTables.from_dict(posterior(8.0).to_dict(draws=3))
+    with pytest.raises(InputError, match=r"4 tables are more than the 3 .*draws="):
+        slow.evaluate(CLUB, 100, posterior=listed, draws=4)
+    with pytest.raises(InputError, match="draws"):
+        posterior(8.0).to_dict(draws=3001)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 from typing import Any
 
 import linear_films
@@ -61,3 +62,29 @@ def test_only_numbers_that_both_models_have_are_counted(film: str, count: int) -
     counted = bench.counted(film, bench.FREE)
     assert len(counted) == count
     assert ("cushion.friction.a" in counted) == (film == bench.FITTED)
+
+
+def test_a_table_stays_stored_until_its_new_one_is_there(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    kept = tmp_path / "coverage.json"
+    tables = json.loads(bench.STORED.read_text(encoding="utf-8"))["tables"]
+    first = next(row for row in tables if row["film"] == bench.FITTED and "refused" not in row)
+    new = {key: first[key] for key in ("names", "shots", "truth", "mean", "low", "high", "rank")}
+
+    def learned(film: str, seed: int) -> dict[str, Any]:
+        if seed == 1:
+            raise KeyboardInterrupt
+        return new | {"shots": 0}
+
+    monkeypatch.setattr(bench, "learned", learned)
+    bench.store(kept, {}, tables)
+    arguments = ["--tables", "2", "--films", bench.FITTED, "--again", "--out", str(kept)]
+    monkeypatch.setattr("sys.argv", ["table_coverage.py", *arguments])
+    before = bench.STORED.read_bytes()
+    with pytest.raises(KeyboardInterrupt):
+        bench.main()
+    after = json.loads(kept.read_text(encoding="utf-8"))["tables"]
+    changed = [row for row, old in zip(after, tables, strict=True) if row != old]
+    assert [(row["film"], row["seed"], row["shots"]) for row in changed] == [(bench.FITTED, 0, 0)]
+    assert bench.STORED.read_bytes() == before

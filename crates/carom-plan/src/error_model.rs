@@ -1,5 +1,6 @@
 //! The errors of a player, and the sampling of a probability up to a precision.
 
+use carom::math::sqrt;
 use carom::noise::{Errors, Perception};
 use carom::{Error, ErrorKind, Noise};
 
@@ -180,9 +181,39 @@ impl ChanceByTable {
     }
 }
 
+impl ChanceByTable {
+    /// Standard deviation of the probability from one table to another: the variance of the shares
+    /// less that of counting. NaN unless two tables have two variants each.
+    pub fn spread(&self) -> f64 {
+        let counted: Vec<_> = self.0.iter().filter(|one| one.variants > 1).collect();
+        if counted.len() < 2 {
+            return f64::NAN;
+        }
+        let tables = counted.len() as f64;
+        let mean = counted.iter().map(|one| one.share()).sum::<f64>() / tables;
+        let square = |share: f64| (share - mean) * (share - mean);
+        let variance = counted.iter().map(|one| square(one.share())).sum::<f64>() / (tables - 1.0);
+        let counting = |one: &Chance| one.share() * (1.0 - one.share()) / (one.variants - 1) as f64;
+        let counting = counted.iter().map(|one| counting(one)).sum::<f64>() / tables;
+        sqrt((variance - counting).max(0.0))
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{Chance, ChanceByTable, ErrorModel, Progress, VARIANTS_BETWEEN_CHECKS};
+
+    #[test]
+    fn the_spread_of_tables_is_free_of_the_noise_of_counting() {
+        let chance = |rows: &[(u64, u64)]| {
+            ChanceByTable(rows.iter().map(|&(met, variants)| Chance { met, variants }).collect())
+        };
+        // Shares 0, 1/2 and 1: variance 1/4, and of counting (0 + 1/4 / 9 + 0) / 3.
+        let three = chance(&[(0, 10), (5, 10), (10, 10)]);
+        assert!((three.spread() - (0.25_f64 - 1.0 / 108.0).sqrt()).abs() < 1e-15);
+        assert_eq!(chance(&[(5, 10), (5, 10)]).spread(), 0.0);
+        assert!(chance(&[(5, 10), (1, 1)]).spread().is_nan());
+    }
 
     #[test]
     fn counting_ends_at_the_first_check_that_finds_the_chance_precise() {

@@ -62,7 +62,7 @@ mod _core {
     #[pymodule_export]
     use crate::node::plain;
     #[pymodule_export]
-    use crate::plan::{clustered, evaluate, solve, stages, wilson};
+    use crate::plan::{clustered, evaluate, solve, spread, stages, wilson};
     #[pymodule_export]
     use crate::player::{Player, players};
     #[pymodule_export]

@@ -1,4 +1,4 @@
-//! `_core.evaluate`, `_core.solve`, `_core.wilson` and `_core.clustered`.
+//! `_core.evaluate`, `_core.solve`, `_core.wilson`, `_core.clustered` and `_core.spread`.
 
 use std::sync::Arc;
 
@@ -206,4 +206,11 @@ pub(crate) fn clustered(
     carom_plan::check_level(level).map_err(|e| to_exception(py, &e))?;
     let interval = carom_plan::clustered(&tables, level);
     Ok((interval.low, interval.high))
+}
+
+/// The standard deviation of a probability from one drawn table to another.
+#[pyfunction]
+pub(crate) fn spread(tables: Vec<(u64, u64)>) -> f64 {
+    let chance = |(met, variants)| carom_plan::Chance { met, variants };
+    ChanceByTable(tables.into_iter().map(chance).collect()).spread()
 }

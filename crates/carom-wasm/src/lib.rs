@@ -5,6 +5,7 @@ pub mod aim;
 pub mod batch;
 pub mod drill;
 pub mod error;
+pub mod evaluate;
 pub mod match_record;
 pub mod player;
 pub mod reference;

@@ -222,7 +222,9 @@ def table(
     say(f"wrote {out}")
     models: list[tracks_of.ModelScore] = []
     if compare:
-        models = tracks_of.compare_models(tracks, **how, keep=keep and keep / "models.json")
+        models = tracks_of.compare_models(
+            tracks, **how, **meant, keep=keep and keep / "models.json"
+        )
         if not json:
             emit("\n".join(["", "Models by held-out shots:", *map(_score, models)]))
     if report is not None:
@@ -230,6 +232,7 @@ def table(
             tracks,
             learned,
             **meant,
+            begin=learned.strikes,
             starts=starts,
             seed=seed,
             threads=threads,

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from json import loads
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
@@ -25,6 +24,8 @@ else:
     # Matplotlib takes half a second to load.
     picture_output = LazyModule("carom.picture.output")
 
+# The format of a learned player. carom.learn takes a while to load.
+_PLAYER = "carom-player/1"
 *_FIRST, _LAST = [name for name, _ in _core.noise_presets()]
 NOISES = (
     f"{', '.join(_FIRST)} or {_LAST}; a multiplier may follow, as in olympiad:0.5; or a file "
@@ -92,19 +93,33 @@ def draw(figure: Callable[[], Figure], *, svg: Path | None, png: Path | None) ->
 def named_noise(name: str) -> Noise:
     """The preset of this name, or the noise of this file.
 
+    A file has the keys of a noise, or is a learned player, whose noise is that at its speed.
+
     Raises:
-        InputError: There is no such preset, or the file has no noise.
+        OSError: The file cannot be read.
+        InputError: There is no such preset, or the file has no noise; the place is the file and
+            the key.
     """
     if not name.endswith(".json"):
         return Noise.preset(name)
-    text = read_text(name)
+    file = _core.read_json(read_text(name), shown(name))
     try:
-        file = loads(text)
-        # A learned player has its noise under a key.
-        learned = isinstance(file, dict) and file.get("format") == "carom-player/1"
-        return Noise.from_dict(file["noise"] if learned else file)
+        return Noise.from_dict(_noise_in(file))
     except InputError as error:
         raise error.inside(shown(name), ": ") from None
+
+
+def _noise_in(file: Any) -> Any:
+    """The part of a file with the keys of a noise."""
+    if not isinstance(file, dict) or "format" not in file:
+        return file
+    if (found := file["format"]) != _PLAYER:
+        remedy = f"give a file that carom learn player wrote ({_PLAYER!r}), or the keys of a noise"
+        raise InputError("format", "format", f"{found!r} has no noise", remedy)
+    if "noise" not in file:
+        remedy = "write the file with carom learn player"
+        raise InputError("missing", "noise", "the key is missing", remedy)
+    return file["noise"]
 
 
 def noise_of(name: str, cling: float) -> Noise:

@@ -95,9 +95,9 @@ def schema(
     kind: Annotated[
         str,
         typer.Argument(
-            metavar="[shot|trace|play|sweep|tournament|arena|tracks|study|drill]",
+            metavar="[shot|trace|play|sweep|tournament|arena|tracks|study|drill|player]",
             help="The kind of file; arena is that of the messages of programs, tracks that of the "
-            "header of tracks.",
+            "header of tracks, player that of a learned player.",
         ),
     ] = "shot",
 ) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from carom._core import MOST_SAMPLES
-from carom.arguments import cores, number, whole
+from carom.arguments import cores, flat, number, whole
 from carom.errors import InputError
 from carom.lazy import np
 from carom.learn.fit_table import fit_error
@@ -15,7 +15,7 @@ from carom.learn.intended_strikes import IntendedStrike, intended_strikes
 from carom.learn.observation import Observation, observe
 from carom.learn.posterior import LearnedNumbers
 from carom.learn.strike_posterior import strike_samples
-from carom.learn.strike_search import STEPS, StrikeProblem, search
+from carom.learn.strike_search import STEPS, StrikeProblem, search, settle
 from carom.learn.table_model import POLICIES, Frame, TableModel
 from carom.learn.tracks import TrackedShot, Tracks
 from carom.noise import Noise
@@ -75,6 +75,7 @@ def strikes(
     rest: float | None = None,
     intended: Shot | Mapping[str, Shot] | None = None,
     noise: Noise | None = None,
+    begin: Mapping[str, NDArray[np.float64]] | None = None,
     starts: int = 40,
     seed: int = 0,
     threads: int | None = None,
@@ -93,6 +94,9 @@ def strikes(
         intended: The intended shot, if all are repetitions of it, or one by the name of each shot
             that has one: the search begins near it.
         noise: Errors of the played strikes about the intended ones; None if they are unknown.
+        begin: Strikes that are known already, by the name of the shot, such as
+            ``learned.strikes``, shape (6,): each moves to its nearest minimum, which takes a
+            fraction of a search. Shots without one are searched.
         starts: Starts of the search for each strike.
         seed: Seed of the starts, and of the samples.
         threads: Number of threads; None for all cores. The result does not depend on it.
@@ -103,7 +107,8 @@ def strikes(
 
     Raises:
         InputError: There is no table, a shot has no motion, ``rest`` is out of range, an intended
-            shot has no strike or no film, or there is a noise without an intention.
+            shot has no strike or no film, there is a noise without an intention, or a strike of
+            ``begin`` is not six finite numbers.
     """
     whole("starts", starts, low=4)
     if rest is not None:
@@ -122,13 +127,17 @@ def strikes(
         model, vector = learned.model, learned.mean
 
     meant = intended_strikes(tracks, intended, noise)
+    starting = {name: _strike(name, strike) for name, strike in (begin or {}).items()}
 
     def find(known: tuple[TrackedShot, IntendedStrike | None]) -> FilmedStrike | None:
         tracked, own = known
         observed = observe(tracked)
         shot, frame = model.shot(observed, vector)
         problem = StrikeProblem(observed, shot, frame, rest, own)
-        vectors, _ = search(problem, starts, seed)
+        if tracked.name in starting:
+            vectors, _ = settle(problem, starting[tracked.name])
+        else:
+            vectors, _ = search(problem, starts, seed)
         if not len(vectors):
             return None
         track = _track(tracked, frame, model.size(vector), clock=vectors[0, len(STEPS) - 1])
@@ -140,6 +149,17 @@ def strikes(
             if one is not None:
                 found.append(one)
             done(1)
+    return found
+
+
+def _strike(name: str, strike: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The numbers of a strike, shape (6,)."""
+    place = f"begin[{name!r}]"
+    found = flat(place, strike)
+    if found.size != len(STEPS):
+        fault = f"found {found.size} numbers"
+        remedy = "give azimuth, speed, side, height, elevation and clock, as learned.strikes"
+        raise InputError("wrong-count", place, fault, remedy)
     return found
 
 

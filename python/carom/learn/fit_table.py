@@ -54,6 +54,24 @@ class UnexplainedError(InputError):
     """No shot stays on its track for long enough to count."""
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class FittedTable:
+    """Where a fit ended.
+
+    Attributes:
+        vector: The numbers, shape (p,).
+        curvatures: The curvature that each used shot adds, in steps, shape (n, p, p).
+        gradients: The same of the gradient, shape (n, p).
+        strikes: The strike of every shot, shape (6,), as ``strike_search.NAMES``; None where none
+            was found.
+    """
+
+    vector: Floats
+    curvatures: Floats
+    gradients: Floats
+    strikes: tuple[Floats | None, ...]
+
+
 @dataclass(frozen=True, slots=True)
 class _Part:
     """What one shot says about the free numbers, its strike eliminated.
@@ -80,7 +98,7 @@ def fit(
     done: Callable[[int], object],
     kept: KeptWork | None = None,
     intended: Sequence[IntendedStrike | None] | None = None,
-) -> tuple[Floats, Floats, Floats]:
+) -> FittedTable:
     """Fit the free numbers of a table, as ``carom.learn.table`` describes.
 
     Args:
@@ -93,10 +111,6 @@ def fit(
         done: Called with the number of strikes that were found.
         kept: Has the rounds of a fit that was stopped, and gets each that ends.
         intended: The intended strike of each shot, where it is known.
-
-    Returns:
-        The numbers, shape (p,), and the curvature and the gradient that each used shot adds, shapes
-        (n, p, p) and (n, p), in steps.
     """
     meant = [None] * len(observed) if intended is None else intended
     joint = _Joint(observed, model, meant, starts, seed, threads)
@@ -265,11 +279,15 @@ class _Joint:
         curvature = normal[count:, count:] - eliminate @ normal[:count, count:]
         return _Part(curvature, gradient[count:] - eliminate @ gradient[:count], vector)
 
-    def result(self) -> tuple[Floats, Floats, Floats]:
-        """The numbers, and the curvature and the gradient of each used shot."""
+    def result(self) -> FittedTable:
+        """Numbers and strikes as they are now."""
         used = [part for part in self.parts() if part is not None]
-        curvatures = np.array([part.curvature for part in used])
-        return self.vector, curvatures, np.array([part.gradient for part in used])
+        return FittedTable(
+            self.vector,
+            np.array([part.curvature for part in used]),
+            np.array([part.gradient for part in used]),
+            tuple(self.strikes),
+        )
 
 
 def fit_error(problem: StrikeProblem, vector: Floats) -> tuple[float, float]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterable, Mapping
+from dataclasses import replace
 from typing import Any
 
 from carom.arguments import cores
@@ -110,4 +111,10 @@ def table(
             kept=kept,
             intended=meant,
         )
-    return Posterior.of(model, *found)
+    strikes = {
+        one.name: strike
+        for one, strike in zip(observed, found.strikes, strict=True)
+        if strike is not None
+    }
+    learned = Posterior.of(model, found.vector, found.curvatures, found.gradients)
+    return replace(learned, strikes=strikes)

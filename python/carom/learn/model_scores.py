@@ -15,12 +15,15 @@ from carom.arguments import cores, whole
 from carom.errors import InputError
 from carom.lazy import np
 from carom.learn.fit_table import ROBUST, SIGMA, UnexplainedError, fit
+from carom.learn.intended_strikes import IntendedStrike, intended_strikes
 from carom.learn.kept_work import KeptWork
 from carom.learn.observation import Observation, observe
 from carom.learn.strike_search import StrikeProblem, search
 from carom.learn.table_model import TableModel
 from carom.learn.tracks import Tracks
+from carom.noise import Noise
 from carom.progress import progress_bar
+from carom.shot import Shot
 from carom.threads import in_order
 
 if TYPE_CHECKING:
@@ -58,6 +61,8 @@ def compare_models(
     physics: str | Mapping[str, Any] | None = None,
     free: Iterable[str] | None = None,
     models: Iterable[tuple[str, str]] | None = None,
+    intended: Shot | Mapping[str, Shot] | None = None,
+    noise: Noise | None = None,
     rounds: int = 3,
     starts: int = 40,
     seed: int = 0,
@@ -79,6 +84,9 @@ def compare_models(
         free: The numbers to learn; None for all that the table and each model have.
         models: Names of the rails' and the balls' model. None for each model of the rails with the
             balls' model of ``physics``, and each model of the balls with the rails' model of it.
+        intended: As for ``carom.learn.table``; the strikes of the shots that are held out are
+            searched near it too.
+        noise: The same. It has no part in the score, which is that of what was filmed.
         rounds: As for ``carom.learn.table``.
         starts: The same.
         seed: The same.
@@ -90,7 +98,8 @@ def compare_models(
         The scores, the best first.
 
     Raises:
-        InputError: There is no table, a name is unknown, or there are fewer than four shots.
+        InputError: There is no table, a name is unknown, there are fewer than four shots, an
+            intended shot has no strike or no film, or there is a noise without an intention.
     """
     whole("starts", starts, low=4)
     if len(tracks) < 2 * FOLDS:
@@ -103,8 +112,13 @@ def compare_models(
     free = None if free is None else [*free]
     base = TableModel.of(tracks.header, table, physics, free)
     pairs = [*(_usual(base) if models is None else models)]
-    observed = [observe(shot) for shot in tracks]
-    question = ["compare", *base.identity, free, rounds, starts, seed]
+    shots = [
+        _Filmed(observe(shot), own)
+        for shot, own in zip(tracks, intended_strikes(tracks, intended, noise), strict=True)
+    ]
+    observed = [shot.observed for shot in shots]
+    known = [None if shot.intended is None else shot.intended.to_list() for shot in shots]
+    question = ["compare", *base.identity, free, rounds, starts, seed, known]
     kept = KeptWork(keep, question, observed)
     scores = {}
     # Each shot is fitted in one half, and judged once.
@@ -116,7 +130,7 @@ def compare_models(
             if found is None:
                 named = _with_models(base.physics, rails, balls)
                 model = TableModel.of(tracks.header, table, named, free)
-                found = _held_out(observed, model, rounds, starts, seed, cores(threads), done)
+                found = _held_out(shots, model, rounds, starts, seed, cores(threads), done)
                 kept.put(name, found)
             else:
                 done((rounds + 1) * len(observed))
@@ -151,8 +165,16 @@ def _with_models(physics: Mapping[str, Any], rails: str, balls: str) -> dict[str
     return named
 
 
+@dataclass(frozen=True, slots=True, eq=False)
+class _Filmed:
+    """A filmed shot, and its strike as it was intended, if that is known."""
+
+    observed: Observation
+    intended: IntendedStrike | None
+
+
 def _held_out(
-    observed: list[Observation],
+    shots: list[_Filmed],
     model: TableModel,
     rounds: int,
     starts: int,
@@ -161,29 +183,31 @@ def _held_out(
     done: Callable[[int], object],
 ) -> list[float]:
     """The score of each shot under the table that the shots of the other half tell."""
-    scores = [0.0] * len(observed)
+    scores = [0.0] * len(shots)
     for fold in range(FOLDS):
-        learned_from = [one for i, one in enumerate(observed) if i % FOLDS != fold]
+        learned_from = [one for i, one in enumerate(shots) if i % FOLDS != fold]
         try:
-            vector, *_ = fit(
-                learned_from,
+            found = fit(
+                [one.observed for one in learned_from],
                 model,
                 rounds=rounds,
                 starts=starts,
                 seed=seed,
                 threads=threads,
                 done=done,
+                intended=[one.intended for one in learned_from],
             )
         except UnexplainedError:
-            scores[fold::FOLDS] = [_worst()] * len(observed[fold::FOLDS])
+            scores[fold::FOLDS] = [_worst()] * len(shots[fold::FOLDS])
             continue
 
-        def score(one: Observation, vector: Floats = vector) -> float:
-            problem = StrikeProblem(one, *model.shot(one, vector))
-            found, _ = search(problem, starts, seed)
-            return _log_density(problem, found[0]) if len(found) else _worst()
+        def score(one: _Filmed, vector: Floats = found.vector) -> float:
+            shot, frame = model.shot(one.observed, vector)
+            problem = StrikeProblem(one.observed, shot, frame, intended=one.intended)
+            strikes, _ = search(problem, starts, seed)
+            return _log_density(problem, strikes[0]) if len(strikes) else _worst()
 
-        for index, value in enumerate(in_order(score, observed[fold::FOLDS], threads)):
+        for index, value in enumerate(in_order(score, shots[fold::FOLDS], threads)):
             scores[FOLDS * index + fold] = value
             done(1)
     return scores

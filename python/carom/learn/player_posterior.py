@@ -9,13 +9,15 @@ from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Self
 
 from carom import _core
-from carom.arguments import number, whole
+from carom.arguments import number, text, whole
 from carom.errors import InputError
 from carom.files import read_text, shown, write_whole
 from carom.installed import ENGINE
 from carom.lazy import np
+from carom.learn import player_file
 from carom.learn.player_chances import PlayerChances, chances_of
 from carom.learn.player_errors import NUMBERS, UNITS
+from carom.learn.player_file import FORMAT
 from carom.noise import Noise
 
 if TYPE_CHECKING:
@@ -25,7 +27,6 @@ if TYPE_CHECKING:
 
     Floats = NDArray[np.float64]
 
-FORMAT = "carom-player/1"
 #: The largest σ and mean error that a ``Noise`` takes: m/s, rad, rad, m, m.
 LARGEST = (15.0, 3.14, 3.14, 0.01, 0.01)
 #: The strikes tell a σ if they say as much as this many strikes that are known exactly.
@@ -83,12 +84,7 @@ class PlayerPosterior:
         Raises:
             InputError: It is not a positive speed.
         """
-        value = number("speed", speed)
-        if not 0.0 < value <= 50.0:
-            raise InputError(
-                "out-of-range", "speed", f"{value:g} is out of range", "give a number in (0, 50]"
-            )
-        return replace(self, speed=value)
+        return replace(self, speed=_speed(speed))
 
     @property
     def sigma(self) -> Floats:
@@ -265,47 +261,43 @@ class PlayerPosterior:
 
     @classmethod
     def from_dict(cls, file: Mapping[str, Any]) -> Self:
-        """Read ``carom-player/1``.
+        """Read ``carom-player/1``. Unknown keys are ignored.
 
         Raises:
             InputError: A key is missing, a value is wrong, or a covariance is not positive
-                definite.
+                definite; the place is the key.
         """
-        if not isinstance(file, Mapping) or file.get("format") != FORMAT:
-            raise InputError("format", "format", "it is not that of a player", f"write {FORMAT!r}")
-        try:
-            bias = np.array(file["draws"]["bias"], dtype=np.float64).reshape(-1, 5)
-            lower = np.array(file["draws"]["covariance"], dtype=np.float64).reshape(-1, 15)
-            covariance = np.zeros((len(lower), 5, 5))
-            covariance[:, *np.tril_indices(5)] = lower
-            covariance += np.tril(covariance, -1).transpose(0, 2, 1)
-            np.linalg.cholesky(covariance)
-            found = cls(
-                name=str(file["name"]),
-                shots=int(file["shots"]),
-                speed=float(file["speed"]),
-                bias=bias,
-                covariance=covariance,
-                measured=np.array(file["measured"], dtype=np.float64).reshape(5),
-                information=np.array(file["information"], dtype=np.float64).reshape(5),
-                background=float(file["background"]),
-                choices=tuple(
-                    Choice(choice["name"], tuple((a, b, c) for a, b, c in choice["sigma"]))
-                    for choice in file["choices"]
-                ),
-            )
-        except (KeyError, TypeError, ValueError) as error:
-            raise InputError(
-                "missing", "draws", f"it cannot be read ({error})", "write it with save"
-            ) from None
-        if not len(bias) or len(bias) != len(covariance):
+        if (given := player_file.value_of(file, "format")) != FORMAT:
+            raise InputError("format", "format", f"it is {given!r}", f"give a file with {FORMAT!r}")
+        # The noise follows from the draws, but other programs read it alone.
+        Noise.from_dict(player_file.value_of(file, "noise"))
+        draws = player_file.value_of(file, "draws")
+        part = {key: player_file.value_of(draws, key, "draws") for key in ("bias", "covariance")}
+        bias = player_file.rows("draws.bias", part["bias"], 5)
+        lower = player_file.rows("draws.covariance", part["covariance"], 15)
+        if len(bias) != len(lower):
             raise InputError(
                 "wrong-count",
                 "draws",
-                f"{len(bias)} mean errors and {len(covariance)} covariances do not fit",
-                "write it with save",
+                f"{len(bias)} mean errors and {len(lower)} covariances do not fit",
+                player_file.REMEDY,
             )
-        return found
+        values = {
+            key: player_file.value_of(file, key)
+            for key in ("name", "shots", "speed", "measured", "information", "background")
+        }
+        listed = player_file.choices("choices", player_file.value_of(file, "choices"))
+        return cls(
+            name=text("name", values["name"]),
+            shots=whole("shots", values["shots"], low=1),
+            speed=_speed(values["speed"]),
+            bias=bias,
+            covariance=player_file.covariances("draws.covariance", lower),
+            measured=player_file.vector("measured", values["measured"]),
+            information=player_file.vector("information", values["information"]),
+            background=player_file.within("background", values["background"], 0.0, 1.0),
+            choices=tuple(Choice(name, sigma) for name, sigma in listed),
+        )
 
     @classmethod
     def load(cls, path: str | os.PathLike[str]) -> Self:
@@ -313,9 +305,23 @@ class PlayerPosterior:
 
         Raises:
             OSError: The file cannot be read.
-            InputError: It is not one that ``save`` wrote.
+            InputError: It is not one that ``save`` wrote; the place is the file and the key.
         """
-        return cls.from_dict(_core.read_json(read_text(path), shown(path)))
+        file = _core.read_json(read_text(path), shown(path))
+        try:
+            return cls.from_dict(file)
+        except InputError as error:
+            raise error.inside(shown(path), ": ") from None
+
+
+def _speed(value: Any) -> float:
+    """An intended speed, m/s."""
+    speed = number("speed", value)
+    if not 0.0 < speed <= 50.0:
+        raise InputError(
+            "out-of-range", "speed", f"{speed:g} is out of range", "give a number in (0, 50]"
+        )
+    return speed
 
 
 def _rounded(values: Floats) -> list[float]:

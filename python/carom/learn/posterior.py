@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any, Self
 
 from carom import _core
@@ -22,6 +22,11 @@ if TYPE_CHECKING:
     Floats = NDArray[np.float64]
 
 FORMAT = "carom-learned/1"
+#: Drawn tables of a file: three times as many as a question takes by default, so that a count that
+#: ranks plays and one that is stated have tables of their own.
+DRAWS = 96
+#: The most of them.
+MOST_DRAWS = 3000
 #: Standard deviation of the weak prior, in steps of a parameter.
 PRIOR_STEPS = 10.0
 #: A number whose uncertainty is this share of its prior's is one that the tracks do not tell.
@@ -56,12 +61,16 @@ class LearnedNumbers:
         mean: Their values, shape (p,).
         covariance: Shape (p, p).
         shots: Number of shots that say something about them.
+        strikes: The strike of each filmed shot where the fit ended, by the shot's name: azimuth
+            (rad), speed (m/s), side, height (ball radii), elevation (rad) and clock (s), shape
+            (6,). A file does not have them: then it is empty.
     """
 
     model: TableModel
     mean: Floats
     covariance: Floats
     shots: int
+    strikes: Mapping[str, Floats] = field(default_factory=dict, repr=False)
 
     @classmethod
     def of(cls, model: TableModel, mean: Floats, curvatures: Floats, gradients: Floats) -> Self:
@@ -186,9 +195,16 @@ class LearnedNumbers:
             lines += ["", *sentences]
         return "\n".join(lines)
 
-    def to_dict(self) -> dict[str, Any]:
-        """``carom-learned/1``: physics, table, frame and posterior."""
+    def to_dict(self, *, draws: int = DRAWS) -> dict[str, Any]:
+        """``carom-learned/1``: physics, table, frame, posterior and ``draws`` tables drawn from it.
+
+        The drawn tables are for JavaScript; ``carom.plan.ListedTables`` reads them.
+
+        Raises:
+            InputError: ``draws`` is out of range.
+        """
         frame = self.frame
+        drawn = self.draw(whole("draws", draws, MOST_DRAWS + 1))
         return {
             "format": FORMAT,
             "engine": ENGINE,
@@ -206,15 +222,24 @@ class LearnedNumbers:
                     "radius": self.model.radius,
                 },
             },
+            "draws": [{"table": one.table, "physics": one.physics} for one in drawn],
         }
 
-    def to_json(self) -> str:
-        """The same as text."""
-        return json.dumps(self.to_dict(), indent=1, ensure_ascii=False)
+    def to_json(self, *, draws: int = DRAWS) -> str:
+        """The same as text, with each drawn table in a line of its own."""
+        file = self.to_dict(draws=draws)
+        rows = ",\n".join(f"  {json.dumps(row)}" for row in file.pop("draws"))
+        head = json.dumps(file, indent=1, ensure_ascii=False).removesuffix("\n}")
+        return f'{head},\n "draws": [\n{rows}\n ]\n}}'
 
-    def save(self, path: str | os.PathLike[str]) -> None:
-        """Write ``carom-learned/1`` as JSON."""
-        write_whole(path, self.to_json() + "\n")
+    def save(self, path: str | os.PathLike[str], *, draws: int = DRAWS) -> None:
+        """Write ``carom-learned/1`` as JSON, with ``draws`` drawn tables.
+
+        Raises:
+            OSError: The file cannot be written.
+            InputError: ``draws`` is out of range.
+        """
+        write_whole(path, self.to_json(draws=draws) + "\n")
 
     @classmethod
     def from_dict(cls, file: Mapping[str, Any]) -> Self:

@@ -110,7 +110,8 @@ def fit_report(
     Args:
         tracks: The filmed shots.
         posterior: What was learned from them.
-        found: Their strikes; None searches them (``carom.learn.strikes``).
+        found: Their strikes; None takes those with which the fit of the table ended, and searches
+            the ones that ``posterior.strikes`` lacks.
         models: A comparison of models, if there is one.
         starts: Starts of the search for a strike.
         threads: Number of threads of the search; None for all cores.
@@ -120,7 +121,14 @@ def fit_report(
         InputError: A shot has no motion.
     """
     if found is None:
-        found = strikes(tracks, posterior, starts=starts, threads=threads, progress=progress)
+        found = strikes(
+            tracks,
+            posterior,
+            begin=posterior.strikes,
+            starts=starts,
+            threads=threads,
+            progress=progress,
+        )
     qualities = {quality.name: quality for quality in check(tracks).shots}
     by_name = {strike.name: strike for strike in found}
     shots = tuple(

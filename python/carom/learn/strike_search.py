@@ -239,7 +239,20 @@ def search(problem: StrikeProblem, starts: int, seed: int, keep: int = 4) -> tup
         vectors, cost = levenberg.refine(
             problem.residuals(horizon), vectors, steps, iterations=8, scale=SCALE
         )
-    vectors = _distinct(vectors, cost, steps, keep)
+    return settle(problem, _distinct(vectors, cost, steps, keep))
+
+
+def settle(problem: StrikeProblem, strikes: Floats) -> tuple[Floats, Floats]:
+    """Strikes at their nearest minima over the whole time, the best first, as ``search``.
+
+    Args:
+        problem: The shot.
+        strikes: Where they begin, shape (n, p) or (p,); places of rest that are missing are those
+            that were seen.
+    """
+    steps, vectors = problem.steps, np.atleast_2d(strikes)
+    vectors = np.pad(vectors, ((0, 0), (0, steps.size - vectors.shape[1])))
+    end = problem.observed.end
     vectors, cost = levenberg.refine(problem.residuals(end), vectors, steps, iterations=15)
     order = np.argsort(cost, kind="stable")
     order = order[np.isfinite(cost[order])]

@@ -275,8 +275,8 @@ class TableModel:
         """A number of a vector; ``held`` if it is not free."""
         return float(vector[self.names.index(name)]) if name in self.names else held
 
-    def _inside(self, place: Floats, vector: Floats) -> Floats:
-        """A place with the ball outside the noses: one that is seen in a nose touched it.
+    def inside(self, place: Floats, vector: Floats) -> Floats:
+        """Places, (..., 2), with the ball outside the noses: one that is seen in a nose touched it.
 
         A pocketless table only: in a pocket's mouth a ball may lie behind the line of the noses.
         """
@@ -297,7 +297,7 @@ class TableModel:
         size = self.size(vector)
         balls: list[dict[str, Any]] = []
         for name, place in observed.rest.items():
-            lay = self._inside(frame.to_table(place, size), vector)
+            lay = self.inside(frame.to_table(place, size), vector)
             ball: dict[str, Any] = {"id": name, "position": lay.tolist()}
             if self.radius is not None:
                 ball["radius"] = self.radius

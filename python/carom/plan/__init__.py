@@ -8,7 +8,7 @@ Every question about a shot is a function whose first argument is the shot, and 
 from carom.plan.breaks import BreakStatistics, break_statistics
 from carom.plan.chance import Chance
 from carom.plan.cushions import CushionTable, bank_table, kick_table
-from carom.plan.drawn_tables import PossibleTable, TablePosterior
+from carom.plan.drawn_tables import ListedTables, PossibleTable, TablePosterior
 from carom.plan.evaluate import Evaluation, ResultCounts, evaluate
 from carom.plan.maps import Acceptance, PositionMap, PotMap, acceptance, position_map, pot_map
 from carom.plan.options import Sampling, Search
@@ -20,6 +20,7 @@ __all__ = [
     "Chance",
     "CushionTable",
     "Evaluation",
+    "ListedTables",
     "PositionMap",
     "PossibleTable",
     "PotMap",

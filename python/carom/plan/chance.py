@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from statistics import variance
 from typing import Any
 
 from carom import _core
@@ -53,11 +52,7 @@ class Chance:
         The variance of counting is taken off. NaN for fewer than two tables, or fewer than two
         trials on each.
         """
-        counted = [(count / n, n) for count, n in self.by_table if n > 1]
-        if len(counted) < 2:
-            return math.nan
-        counting = sum(share * (1 - share) / (n - 1) for share, n in counted) / len(counted)
-        return math.sqrt(max(variance(share for share, _ in counted) - counting, 0.0))
+        return _core.spread(self.by_table)
 
     def __float__(self) -> float:
         return self.probability

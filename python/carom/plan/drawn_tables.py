@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Protocol
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol, Self
 
 from carom import _core
 from carom.arguments import whole
@@ -11,8 +13,6 @@ from carom.errors import InputError
 from carom.plan.lookup import core_of
 
 if TYPE_CHECKING:
-    from collections.abc import Mapping, Sequence
-
     import carom
 
 # Balls that overlap each other or a cushion by at most this on a drawn table are moved apart, m.
@@ -52,6 +52,66 @@ class TablePosterior(Protocol):
 
     def draw(self, count: int, seed: int = 0, /) -> Sequence[PossibleTable]:
         """Tables that may be the true one."""
+
+
+@dataclass(frozen=True, slots=True)
+class ListedTables:
+    """Tables of a list, of which each may be the true one, such as those of a ``learned.json``.
+
+    JavaScript takes the tables from the file in this way, so that its chances are those of a
+    ``ListedTables`` to the bit.
+
+    Attributes:
+        table: The most probable table.
+        physics: Its physics.
+        tables: ``table`` and ``physics`` of each drawn table.
+    """
+
+    table: Mapping[str, Any]
+    physics: Mapping[str, Any]
+    tables: tuple[_ListedTable, ...]
+
+    @classmethod
+    def from_dict(cls, file: Mapping[str, Any]) -> Self:
+        """The keys ``table``, ``physics`` and ``draws`` of ``carom-learned/1``.
+
+        Raises:
+            InputError: A key is missing, or has a wrong type.
+        """
+        remedy = "write the file with carom learn table, or with Posterior.save"
+        for key in ("table", "physics", "draws"):
+            if not isinstance(file, Mapping) or key not in file:
+                raise InputError("missing", key, "the key is missing", remedy)
+        rows = file["draws"]
+        if not isinstance(rows, Sequence) or isinstance(rows, str) or not rows:
+            raise InputError("wrong-type", "draws", "it is not a list of tables", remedy)
+        for index, row in enumerate(rows):
+            if not isinstance(row, Mapping) or not {"table", "physics"} <= row.keys():
+                fault = "it has no table and physics"
+                raise InputError("wrong-type", f"draws[{index}]", fault, remedy)
+        listed = tuple(_ListedTable(row["table"], row["physics"]) for row in rows)
+        return cls(file["table"], file["physics"], listed)
+
+    def draw(self, count: int, seed: int = 0, /) -> list[_ListedTable]:
+        """The ``count`` tables from number ``seed``·``count`` on, around the list.
+
+        Raises:
+            InputError: The list is shorter.
+        """
+        size = len(self.tables)
+        if count > size:
+            fault = f"{count} tables are more than the {size} of the file"
+            remedy = "give fewer draws, or write the file with Posterior.save(path, draws=...)"
+            raise InputError("out-of-range", "draws", fault, remedy)
+        return [self.tables[(seed * count + index) % size] for index in range(count)]
+
+
+@dataclass(frozen=True, slots=True)
+class _ListedTable:
+    """A table of a list, with its physics."""
+
+    table: Mapping[str, Any]
+    physics: Mapping[str, Any]
 
 
 def on_drawn_tables(

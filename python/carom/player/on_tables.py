@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
-from statistics import fmean
 from typing import TYPE_CHECKING
 
 from carom.arguments import WORD
@@ -104,7 +103,11 @@ def _with_both_values(play: Recommendation, plays: Sequence[Recommendation]) -> 
 
 def _mean(values: Sequence[float | None], default: float) -> float:
     known = [value for value in values if value is not None]
-    return fmean(known) if known else default
+    total = 0.0
+    # In this order, without the compensation of newer Pythons: JavaScript has the same bits.
+    for value in known:
+        total += value
+    return total / len(known) if known else default
 
 
 def _win(play: Recommendation, kept: Chance) -> float:
@@ -120,7 +123,7 @@ def _stated(play: Recommendation, found: Evaluation) -> Recommendation:
     return replace(
         play,
         win_chance=_win(play, kept),
-        error=math.hypot(play.error, of_tables),
+        error=math.sqrt(play.error * play.error + of_tables * of_tables),
         kept=kept,
         foul=found.chance(lambda counts: counts.n - (counts.legal or 0)),
         leave=Leave.of(found),

@@ -14,6 +14,7 @@ import type {
   ShotVerdict,
 } from "./drill-goals.ts";
 import type { BreakOptions, Engine, RollingBand, RollingOptions } from "./engine.ts";
+import { evaluate, type EvaluateOptions, type Evaluation } from "./evaluation.ts";
 import { CaromError, type Refusal, refusalOf, refuse } from "./error.ts";
 import { FRAME_FORMAT, replay } from "./frame-record.ts";
 import { Handle, checked, uncloneable } from "./handle.ts";
@@ -68,6 +69,8 @@ export * from "./carom-route.ts";
 export type * from "./drill-goals.ts";
 export * from "./engine.ts";
 export * from "./error.ts";
+export type * from "./drawn-tables.ts";
+export type * from "./evaluation.ts";
 export * from "./match.ts";
 export * from "./player.ts";
 export * from "./rules.ts";
@@ -91,6 +94,9 @@ const BALL_BYTES = 25;
 
 /** Memory of as many successors: about half of `BATCH_MEMORY`. */
 const MOST_SUCCESSORS = 2 ** 24;
+
+/** Variants of `evaluate`, as in Python. */
+const USUAL_VARIANTS = 10_000;
 
 /** Variants that rank the strikes of `leaveAim`: more take longer than a user waits. */
 const MOST_VARIANTS = 100_000;
@@ -321,7 +327,16 @@ class WasmEngine implements Engine {
   }
 
   player(options: PlayerOptions = {}): Player {
-    return new WasmPlayer(options, frameHandleOf);
+    return new WasmPlayer(options, { frame: frameHandleOf, shot: handleOf });
+  }
+
+  evaluate(
+    shot: Shot,
+    noise: Noise,
+    n = USUAL_VARIANTS,
+    options: EvaluateOptions = {},
+  ): Evaluation {
+    return evaluate(handleOf(shot), frameHandleOf, noise, n, options);
   }
 
   schema(kind: string): object {

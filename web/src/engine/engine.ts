@@ -2,6 +2,7 @@
 
 import type { DrillFile, GoalArea, GoalCondition, ListedPuzzle, Puzzle } from "./drill-goals.ts";
 import type { CaromError } from "./error.ts";
+import type { EvaluateOptions, Evaluation } from "./evaluation.ts";
 import type { MatchRecord } from "./match.ts";
 import type { StudyFile, TaskVerdict } from "./study.ts";
 import type { Player, PlayerOptions } from "./player.ts";
@@ -156,6 +157,16 @@ export interface Engine {
    * @throws CaromError for a condition that is unknown, or names no ball or pocket of the shot.
    */
   judge(trace: Trace, goal: readonly GoalCondition[]): TaskVerdict;
+  /**
+   * The chances of all results if a player who errs intends the strike of a shot, as `Shot.evaluate` of Python.
+   * With a `posterior` they include what is not known about the table. 10 000 variants take some tenths
+   * of a second or more: call it in a worker.
+   * @param n Largest number of variants. Default 10 000.
+   * @throws CaromError without a strike, for a number out of range, for an unknown ball or pocket to watch,
+   * for a frame that requests another shot, and for a posterior that has too few tables, or on most of whose
+   * tables balls have no room.
+   */
+  evaluate(shot: Shot, noise: Noise, n?: number, options?: EvaluateOptions): Evaluation;
   /** Names of the built-in players. */
   readonly players: readonly string[];
   /** A player that chooses shots and explains them. @throws CaromError for an invalid option. */

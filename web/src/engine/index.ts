@@ -3,9 +3,11 @@ import embedded from "./pkg/embedded.js";
 import type { Engine } from "./engine.ts";
 
 export * from "./carom-route.ts";
+export type * from "./drawn-tables.ts";
 export type * from "./drill-goals.ts";
 export * from "./engine.ts";
 export * from "./error.ts";
+export type * from "./evaluation.ts";
 export * from "./match.ts";
 export * from "./player.ts";
 export * from "./rules.ts";

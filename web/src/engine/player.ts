@@ -1,6 +1,7 @@
 /** Players: programs that answer the requests of a frame. The data is that of Python's `Player`, key by key. */
 
 import type { CaromRoute } from "./carom-route.ts";
+import type { TableOptions } from "./drawn-tables.ts";
 import type { Choice, Frame, PlannedPlay } from "./rules.ts";
 import type { Noise, PocketName, Point } from "./types.ts";
 
@@ -69,11 +70,13 @@ export interface Decision extends Spent {
   readonly win_chance: number | null;
 }
 
-/** A probability that is estimated by counting, with its 95 % Wilson interval. */
+/** A probability that is estimated by counting, with its interval, of 95 % unless a level is given. */
 export interface Chance {
   readonly probability: number;
   readonly low: number;
   readonly high: number;
+  /** With drawn tables: its standard deviation from one table to another, without that of counting. */
+  readonly spread?: number;
 }
 
 /** One of the best plays, with chances that are counted with errors which took no part in the choice. */
@@ -125,7 +128,7 @@ export interface Analysis extends Spent {
   readonly plays: readonly Recommendation[];
 }
 
-export interface ExplainOptions {
+export interface ExplainOptions extends TableOptions {
   /** Largest number of plays, 1 to 1000. Default 5. */
   readonly count?: number;
 }
@@ -174,17 +177,20 @@ export interface Player {
   /** The errors of the player's strikes. */
   readonly noise: Noise;
   /**
-   * Answers the request of a frame, which is not changed.
-   * @throws CaromError if the frame is over, and if a shot reaches its cap of events.
+   * Answers the request of a frame, which is not changed. With a `posterior` a shot is the best one of
+   * `explain`; a choice is made on the learned table alone.
+   * @throws CaromError if the frame is over, if a shot reaches its cap of events, and if the table of the
+   * frame is not that of the posterior.
    */
-  choose(frame: Frame): Decision;
+  choose(frame: Frame, options?: TableOptions): Decision;
   /**
-   * The best plays of the shot for which the frame asks.
+   * The best plays of the shot for which the frame asks. With a `posterior` the best plays of the search,
+   * eight or more, are ranked by their chances on tables that may be the true one, and those are stated.
    * @throws CaromError as `choose`, if the frame asks for a choice, and for a player of the literature.
    */
   explain(frame: Frame, options?: ExplainOptions): Analysis;
   /** Begins what `choose` does. @throws CaromError as `choose`. */
-  beginChoice(frame: Frame): Thought<Decision>;
+  beginChoice(frame: Frame, options?: TableOptions): Thought<Decision>;
   /** Begins what `explain` does. @throws CaromError as `explain`. */
   beginAnalysis(frame: Frame, options?: ExplainOptions): Thought<Analysis>;
   /** Frees the memory at once instead of at garbage collection. The object is unusable afterwards. */

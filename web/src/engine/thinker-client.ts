@@ -1,5 +1,6 @@
 /** The page's side of a thinker. It starts no worker of its own, so a page can give one that it contains. */
 
+import type { TableOptions } from "./drawn-tables.ts";
 import type { Engine } from "./engine.ts";
 import { CaromError } from "./error.ts";
 import type { Analysis, Decision, ExplainOptions, PlayerOptions, Progress } from "./player.ts";
@@ -10,7 +11,7 @@ import type { Failure, FromThinker, ToThinker } from "./thinker-protocol.ts";
 export type ThinkerWorker = Pick<Worker, "postMessage" | "onmessage" | "onerror" | "terminate">;
 
 /** Options of a question; those of the player replace the thinker's. */
-export interface ThinkOptions extends PlayerOptions {
+export interface ThinkOptions extends PlayerOptions, TableOptions {
   /** Receives what the search has found after every round. */
   readonly onProgress?: (progress: Progress) => void;
 }
@@ -98,7 +99,7 @@ class ConnectedThinker implements Thinker {
 
   async #ask(
     frame: Frame | FrameRecord,
-    { onProgress, ...player }: ThinkOptions,
+    { onProgress, posterior, draws, ...player }: ThinkOptions,
     count: number | null,
   ): Promise<Decision | Analysis> {
     if (this.#end) throw this.#end;
@@ -107,7 +108,8 @@ class ConnectedThinker implements Thinker {
     return new Promise((resolve, reject) => {
       this.#questions.set(id, { resolve, reject, onProgress });
       const asked = { ...this.#player, ...player };
-      this.#send({ kind: "think", id, frame: record, player: asked, count });
+      const tables = { ...(posterior && { posterior }), ...(draws !== undefined && { draws }) };
+      this.#send({ kind: "think", id, frame: record, player: asked, tables, count });
     });
   }
 

@@ -1,5 +1,6 @@
 /** The messages between a thinker and its worker. */
 
+import type { TableOptions } from "./drawn-tables.ts";
 import type { Refusal } from "./error.ts";
 import type { Analysis, Decision, PlayerOptions, Progress } from "./player.ts";
 import type { FrameRecord } from "./rules.ts";
@@ -10,6 +11,7 @@ export interface ThinkRequest {
   readonly id: number;
   readonly frame: FrameRecord;
   readonly player: PlayerOptions;
+  readonly tables: TableOptions;
   readonly count: number | null;
 }
 

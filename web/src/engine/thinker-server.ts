@@ -47,12 +47,15 @@ export function serve(port: ThinkerPort<FromThinker, ToThinker>): void {
   }
 
   async function think(engine: Engine, request: ThinkRequest): Promise<Decision | Analysis> {
-    const { id, count } = request;
+    const { id, count, tables } = request;
     const player = engine.player(request.player);
     const frame = engine.replay(request.frame);
     let thought: Thought<Decision | Analysis> | null = null;
     try {
-      thought = count === null ? player.beginChoice(frame) : player.beginAnalysis(frame, { count });
+      thought =
+        count === null
+          ? player.beginChoice(frame, tables)
+          : player.beginAnalysis(frame, { count, ...tables });
       while (thought.playRound()) {
         port.postMessage({ kind: "progress", id, progress: thought.progress });
         await nextTask();

@@ -1,6 +1,7 @@
 /** `Player` over the WebAssembly module. */
 
 import { json, known, numbers, text, whole } from "./arguments.ts";
+import type { TableOptions } from "./drawn-tables.ts";
 import { refuse } from "./error.ts";
 import { Handle, checked } from "./handle.ts";
 import { noiseJson, noiseOf } from "./noise.ts";
@@ -9,12 +10,14 @@ import type {
   Analysis,
   Decision,
   ExplainOptions,
+  Perception,
   Player,
   PlayerOptions,
   Progress,
   Thought,
 } from "./player.ts";
 import type { Frame } from "./rules.ts";
+import { type Counting, checkTable, MOST_RANKED, rankedOnTables } from "./ranked-plays.ts";
 import type { Noise } from "./types.ts";
 
 /** Simulated shots of a decision if no budget is given, as in Python. */
@@ -36,18 +39,22 @@ const OPTIONS = {
   time: true,
   seed: true,
 } as const;
+const TABLES = { posterior: true, draws: true } as const;
+const EXPLAIN = { ...TABLES, count: true } as const;
 
-/** The object of a frame in WebAssembly's memory. */
-type FrameObject = (frame: Frame) => wasm.Frame;
+/** The objects of frames and shots in WebAssembly's memory. */
+type Objects = Pick<Counting, "frame" | "shot">;
 
 export class WasmPlayer implements Player {
   readonly name: string;
   readonly noise: Noise;
   readonly #player: Handle<wasm.Player>;
   readonly #thinking: Handle<wasm.Thinking>;
-  readonly #objectOf: FrameObject;
+  readonly #objects: Objects;
+  readonly #perception: Perception | undefined;
+  readonly #seed: number;
 
-  constructor(options: PlayerOptions, objectOf: FrameObject) {
+  constructor(options: PlayerOptions, objects: Objects) {
     const { name = "carom" } = known("options", options, OPTIONS);
     const player = checked(() => new wasm.Player(text("name", name)));
     this.name = player.name();
@@ -55,18 +62,27 @@ export class WasmPlayer implements Player {
     const usual = player.noise() ?? wasm.olympiad(1);
     this.noise = options.noise ?? noiseOf(usual);
     this.#thinking = new Handle("player", thinkingOf(options, usual, player.simulations()));
-    this.#objectOf = objectOf;
+    this.#objects = objects;
+    this.#perception = options.perception;
+    this.#seed = options.seed ?? 0;
   }
 
-  choose(frame: Frame): Decision {
-    return finished(this.beginChoice(frame));
+  choose(frame: Frame, options: TableOptions = {}): Decision {
+    return finished(this.beginChoice(frame, options));
   }
 
   explain(frame: Frame, options: ExplainOptions = {}): Analysis {
     return finished(this.beginAnalysis(frame, options));
   }
 
-  beginChoice(frame: Frame): Thought<Decision> {
+  beginChoice(frame: Frame, options: TableOptions = {}): Thought<Decision> {
+    const given = known("options", options, TABLES);
+    if (given.posterior !== undefined && frame.state.request.kind === "shot") {
+      // Without a play the search answers alone.
+      return new MappedThought(this.beginAnalysis(frame, { ...given, count: 1 }), (found) =>
+        found.plays.length > 0 ? decisionOf(found) : this.choose(frame),
+      );
+    }
     return new WasmThought(this.#begin(frame), (thought, interrupted) => {
       type Written = Pick<Decision, "play" | "choice" | "win_chance" | "simulations" | "rounds">;
       const decision = JSON.parse(thought.intoDecision()) as Written;
@@ -76,18 +92,35 @@ export class WasmPlayer implements Player {
   }
 
   beginAnalysis(frame: Frame, options: ExplainOptions = {}): Thought<Analysis> {
-    const { count = USUAL_PLAYS } = known("options", options, { count: true });
+    const { count = USUAL_PLAYS, ...tables } = known("options", options, EXPLAIN);
     if (count === 0) refuse("out-of-range", "count", "0 plays are nothing", "ask for at least 1");
     const plays = Number(whole("count", count, MOST_PLAYS));
-    return new WasmThought(this.#begin(frame, plays), (thought, interrupted) => ({
+    const read = (thought: wasm.Thought, interrupted: boolean): Analysis => ({
       ...(JSON.parse(thought.intoAnalysis()) as Omit<Analysis, "interrupted">),
       interrupted,
-    }));
+    });
+    if (tables.posterior === undefined) return new WasmThought(this.#begin(frame, plays), read);
+    checkTable(this.#objects.frame(frame), tables);
+    // The frame may be played on before the search has ended.
+    const position = frame.copy();
+    const counting: Counting = {
+      ...this.#objects,
+      tables,
+      noise: this.noise,
+      perception: this.#perception,
+      seed: this.#seed,
+    };
+    const thought = this.#begin(position, Math.max(plays, MOST_RANKED));
+    return new WasmThought(
+      thought,
+      (ended, interrupted) => rankedOnTables(read(ended, interrupted), position, counting, plays),
+      () => position.free(),
+    );
   }
 
   #begin(frame: Frame, plays?: number): wasm.Thought {
     const [player, thinking] = [this.#player.object, this.#thinking.object];
-    const position = this.#objectOf(frame);
+    const position = this.#objects.frame(frame);
     return checked(() => player.begin(position, thinking, plays));
   }
 
@@ -166,10 +199,17 @@ function finished<T>(thought: Thought<T>): T {
 class WasmThought<T> implements Thought<T> {
   readonly #handle: Handle<wasm.Thought>;
   readonly #end: (thought: wasm.Thought, interrupted: boolean) => T;
+  readonly #freed: () => void;
 
-  constructor(thought: wasm.Thought, end: (thought: wasm.Thought, interrupted: boolean) => T) {
+  /** @param freed Frees what the end needs besides the thought. */
+  constructor(
+    thought: wasm.Thought,
+    end: (thought: wasm.Thought, interrupted: boolean) => T,
+    freed: () => void = () => undefined,
+  ) {
     this.#handle = new Handle("thought", thought);
     this.#end = end;
+    this.#freed = freed;
   }
 
   playRound(): boolean {
@@ -182,10 +222,56 @@ class WasmThought<T> implements Thought<T> {
 
   end(interrupted = false): T {
     const thought = this.#handle.take();
-    return checked(() => this.#end(thought, interrupted));
+    try {
+      return checked(() => this.#end(thought, interrupted));
+    } finally {
+      this.#freed();
+    }
   }
 
   free(): void {
     this.#handle.free();
+    this.#freed();
   }
+}
+
+/** A thought whose result becomes another value. */
+class MappedThought<S, T> implements Thought<T> {
+  readonly #thought: Thought<S>;
+  readonly #map: (result: S) => T;
+
+  constructor(thought: Thought<S>, map: (result: S) => T) {
+    this.#thought = thought;
+    this.#map = map;
+  }
+
+  playRound(): boolean {
+    return this.#thought.playRound();
+  }
+
+  get progress(): Progress {
+    return this.#thought.progress;
+  }
+
+  end(interrupted = false): T {
+    return this.#map(this.#thought.end(interrupted));
+  }
+
+  free(): void {
+    this.#thought.free();
+  }
+}
+
+/** The best play of an analysis as a decision. */
+function decisionOf({ plays, simulations, rounds, interrupted }: Analysis): Decision {
+  const [best] = plays;
+  return {
+    play: best?.play ?? null,
+    choice: null,
+    win_chance: best?.win_chance ?? null,
+    simulations,
+    rounds,
+    concession: best === undefined,
+    interrupted,
+  };
 }

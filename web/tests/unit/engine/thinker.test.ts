@@ -7,6 +7,7 @@ import {
   load,
   type PlayerOptions,
   type Progress,
+  type TablePosterior,
 } from "../../../src/engine/index.ts";
 import {
   connectThinker,
@@ -59,6 +60,31 @@ async function refusal(question: Promise<unknown>): Promise<CaromError> {
   if (error instanceof CaromError) return error;
   throw error;
 }
+
+test("a thinker takes what was learned about a table", async () => {
+  const [{ learned: posterior, decisions }] = JSON.parse(read("goldens/learned.json")) as [
+    {
+      readonly learned: TablePosterior;
+      readonly decisions: readonly {
+        readonly options: { readonly simulations: number; readonly seed: number };
+        readonly record: FrameRecord;
+        readonly count?: number;
+        readonly analysis?: object;
+        readonly decision?: object;
+      }[];
+    },
+  ];
+  const { simulations, seed } = decisions[0]!.options;
+  const asking = await thinker({ noise, simulations, seed });
+  for (const { record, count, analysis, decision } of decisions) {
+    const asked = { posterior, draws: 4 };
+    const found =
+      count === undefined
+        ? await asking.choose(record, asked)
+        : await asking.explain(record, { ...asked, count });
+    expect(found).toMatchObject((analysis ?? decision)!);
+  }
+});
 
 describe("a thinker", () => {
   test("answers as a player on this thread does", async () => {
