@@ -68,7 +68,7 @@ export class Scene {
   /** What the marked areas of the cloth come from. */
   #marked: readonly unknown[] = [];
   /** What the drawn marks come from. */
-  #drawn: readonly unknown[] = [undefined, null, undefined, undefined];
+  #drawn: readonly unknown[] = [undefined, null, undefined, undefined, undefined];
   #zone: Density | null = null;
   /** What is lit, as text. */
   #lit = "";
@@ -132,7 +132,9 @@ export class Scene {
     const aims = canAim(this.#store, this.#engine);
     const guide = shownGuide({ document, session });
     const ghost = preview?.trace ?? this.#store.ghost.trace;
-    const trace = aims && guide !== "none" ? ghost : null;
+    // A plan takes the place of the aimed shot.
+    const isPlan = preview?.marks !== undefined;
+    const trace = aims && guide !== "none" && !isPlan ? ghost : null;
     const states = this.#buffer(shot.balls.length);
     shot.balls.forEach((ball, index) => {
       states.fill(0, index * STRIDE, (index + 1) * STRIDE);
@@ -147,7 +149,8 @@ export class Scene {
       withLines: session.overlays.contact && guide === "full",
       film: preview ? NO_FILM : this.#filmOfShot(),
     });
-    this.#viewer.setCue(aims && shot.struck !== null ? pose(shot.strike!, shot.struck) : null);
+    const hasCue = aims && !isPlan && shot.struck !== null;
+    this.#viewer.setCue(hasCue ? pose(shot.strike!, shot.struck) : null);
     this.#viewer.setMarks([
       ...(trace ? marks(trace, guide) : []),
       ...(refused
@@ -164,7 +167,7 @@ export class Scene {
     const falls = guide === "full" ? (trace?.outcome.pocketed[0]?.[1] ?? null) : null;
     const aimed = session.lock?.pocket ?? falls;
     const asked = session.attempt?.pocket ?? null;
-    this.#light(aims ? (aimed ?? asked) : null, aimed === null && asked !== null);
+    this.#light(aims && !isPlan ? (aimed ?? asked) : null, aimed === null && asked !== null);
   }
 
   /** Lights a pocket up. A light that pulses asks for something. */
@@ -199,10 +202,12 @@ export class Scene {
     const { marks } = document.shot;
     const awaited = awaitedMark(this.#store);
     const cursor = session.drawing?.cursor ?? null;
-    const sources = [marks, cursor, session.drawing?.start, session.drawing?.tool];
+    const plan = session.mode === "aim" ? session.analysis.preview?.marks : undefined;
+    const sources = [marks, cursor, session.drawing?.start, session.drawing?.tool, plan];
     if (sources.every((source, k) => source === this.#drawn[k])) return;
     this.#drawn = sources;
-    this.#viewer.setDrawing([...(marks ?? []), ...(awaited ? [awaited] : [])], cursor);
+    const all = [...(marks ?? []), ...(plan ?? []), ...(awaited ? [awaited] : [])];
+    this.#viewer.setDrawing(all, cursor);
   }
 
   #buffer(balls: number): Float64Array {

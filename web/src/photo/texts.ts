@@ -30,5 +30,12 @@ export function fill(text: string, values: Readonly<Record<string, string | numb
 /** "ball 3", "the cue ball", "red 4". */
 export function ballText(id: string): string {
   if (id === "cue") return TEXTS.cue;
-  return /^\d+$/.test(id) ? fill(TEXTS.ball, { id }) : id.replace("-", " ");
+  return /^\d+$/.test(id) ? fill(TEXTS.ball, { id }) : shortBallText(id);
+}
+
+/** "3", "cue ball", "red 4": a ball on a small button. */
+export function shortBallText(id: string): string {
+  const texts: Readonly<Record<string, string>> = TEXTS;
+  const [kind = "", number] = id.split("-");
+  return [texts[`ball.${kind}`] ?? kind, number].filter(Boolean).join(" ");
 }

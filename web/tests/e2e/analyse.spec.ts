@@ -246,6 +246,70 @@ test("the zone for the next ball and a plan of three balls are shown", async ({ 
   expect(await page.locator("#plan-status").textContent()).toMatch(/^All 3 balls fall in/);
 });
 
+test("a plan is drawn on the table with a number and a dash for each shot", async ({ open }) => {
+  // Seen: only the shot that is pointed at was drawn.
+  const page = await open({ viewport: WIDE });
+  await page.locator("#tab-lines").click();
+  await page.locator("#plan").click();
+  await page.locator("#plan-legs[data-done=true]").waitFor();
+  await page.mouse.move(5, 5);
+  const button = page.getByRole("button", { name: "Draw all on the table" });
+  const drawn = () => page.evaluate(() => window.carom!.store.session.analysis.preview?.marks);
+  const marks = (await drawn())!;
+  expect(marks.flatMap((mark) => (mark.kind === "label" ? [mark.text] : []))).toEqual([
+    "1",
+    "2",
+    "3",
+  ]);
+  // The pieces of the lines: whole ones, dashes and dots.
+  const longest = (color: string) =>
+    Math.max(
+      ...marks.flatMap((mark) =>
+        mark.kind === "line" && mark.color === color
+          ? [Math.hypot(mark.to[0] - mark.from[0], mark.to[1] - mark.from[1])]
+          : [],
+      ),
+    );
+  expect(longest("white")).toBeGreaterThan(0.2);
+  expect(longest("yellow")).toBeCloseTo(0.07, 6);
+  expect(longest("blue")).toBeCloseTo(0.015, 6);
+  expect(await button.getAttribute("aria-pressed")).toBe("true");
+  await settled(page);
+  expect(await page.evaluate(() => window.carom!.scene.stats.paths), "of the aimed shot").toBe(0);
+  await picture(page, "plan-drawn");
+  expect(await violations(page)).toEqual([]);
+  // A shot that is pointed at takes its place for that time.
+  await page.locator("#plan-legs .line").nth(1).hover();
+  expect(await drawn()).toBeUndefined();
+  expect(await previewed(page)).not.toBeNull();
+  await page.mouse.move(5, 5);
+  expect((await drawn())!.length).toBe(marks.length);
+  await button.click();
+  expect(await drawn()).toBeUndefined();
+  await button.click();
+  expect((await drawn())!.length).toBe(marks.length);
+  // Another aim is drawn itself, and the plan stays in the list.
+  await page.evaluate(() => window.carom!.store.strike({ azimuth_deg: 50 }, "aim"));
+  expect(await drawn()).toBeUndefined();
+  expect(await button.getAttribute("aria-pressed")).toBe("false");
+  await button.click();
+  await page.locator("#tab-layout").click();
+  await expect.poll(drawn).toBeUndefined();
+});
+
+test("the zone for the next ball is not shown beside other tabs", async ({ open }) => {
+  // Seen: it stayed on the cloth while the layout was changed.
+  const page = await open({ viewport: WIDE });
+  await page.locator("#tab-lines").click();
+  await page.getByLabel("Next ball", { exact: true }).selectOption("1");
+  const zone = () => page.evaluate(() => window.carom!.store.session.analysis.zone !== null);
+  await expect.poll(zone).toBe(true);
+  await page.locator("#tab-layout").click();
+  await expect.poll(zone).toBe(false);
+  await page.locator("#tab-lines").click();
+  await expect.poll(zone).toBe(true);
+});
+
 test("in practice the chances are those of the pots", async ({ open }) => {
   const page = await open({ viewport: WIDE });
   const pot = await page.locator("#chance-chip:not([data-stale])").textContent();

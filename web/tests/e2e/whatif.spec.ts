@@ -1,7 +1,7 @@
 import type { Page } from "playwright-core";
 import type { Noise } from "../../src/engine/index.ts";
 import { inject } from "vitest";
-import { expect, picture, SMALL, test } from "./fixture.ts";
+import { expect, picture, shotOf, SMALL, test } from "./fixture.ts";
 import { python } from "./python.ts";
 
 const COUNT = 1000;
@@ -119,4 +119,28 @@ test("the worker also starts in a page from disk", async ({ open }) => {
   const page = await open({ url: `file://${inject("file")}` });
   await turnOn(page);
   expect(Object.keys(await chances(page)).length).toBeGreaterThan(1);
+});
+
+test("the rows of several reds have their numbers, and the table shows which ball a row is about", async ({
+  open,
+}) => {
+  // Seen: fifteen rows "a red".
+  const page = await open({ viewport: { width: 1280, height: 800 } });
+  await page.locator("#tab-layout").click();
+  const panel = page.locator("#panel-layout");
+  await panel.getByLabel("Game", { exact: true }).selectOption("snooker");
+  await panel.getByRole("button", { name: "Rack", exact: true }).click();
+  await turnOn(page);
+  await finished(page);
+  const names = await page.locator(".chances th[scope=row]").allTextContents();
+  expect(names.filter((name) => /^red \d+$/.test(name))).toHaveLength(15);
+  expect(new Set(names).size).toBe(names.length);
+  const row = page.locator('.chances tr:has(th:text-is("red 7"))');
+  await row.hover();
+  const area = () => page.evaluate(() => window.carom!.store.session.analysis.preview?.areas[0]);
+  const [x, y] = (await shotOf(page)).balls.find(({ id }) => id === "red-7")!.position;
+  const { outline } = (await area())!;
+  for (const corner of outline) expect(Math.hypot(corner[0] - x, corner[1] - y)).toBeLessThan(0.06);
+  await page.mouse.move(5, 5);
+  expect(await area()).toBeUndefined();
 });

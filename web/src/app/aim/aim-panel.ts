@@ -9,7 +9,8 @@ import { mountFace } from "./cue-ball-face.ts";
 import { follow, mountField } from "../form/field.ts";
 import type { Store } from "../document/store.ts";
 import { round, speedFrom, speedIn, type SpeedUnit, SPEED_UNITS, TIP } from "../common/units.ts";
-import { t } from "../words/translate.ts";
+import { ballName } from "../common/shot-words.ts";
+import { capital, t } from "../words/translate.ts";
 
 /** Highest elevation of the slider (degrees). The number field takes more. */
 const STEEPEST = 85;
@@ -196,7 +197,9 @@ function mountStruck(root: HTMLElement, store: Store): void {
       select.options.length !== ids.length ||
       ids.some((b, k) => select.options[k]!.value !== b)
     ) {
-      select.replaceChildren(...ids.map((ball) => h("option", { value: ball }, ball)));
+      select.replaceChildren(
+        ...ids.map((ball) => h("option", { value: ball }, capital(ballName(ball)))),
+      );
     }
     select.value = strike.ball;
   }

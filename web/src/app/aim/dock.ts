@@ -54,6 +54,7 @@ export function mountDock(
 
   function show(): void {
     root.hidden = !canAim(store, context.engine);
+    root.toggleAttribute("data-attempt", store.session.attempt !== null);
     if (store.session.mode !== "aim" || root.hidden) return;
     const { trace } = store.ghost;
     const obstacle = trace ? obstruction(trace.outcome) : null;

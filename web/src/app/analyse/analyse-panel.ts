@@ -45,7 +45,7 @@ export function mountLines(root: HTMLElement, store: Store, context: Context): v
   const next = h("section", { "aria-label": t("next.title") });
   root.append(stop, next);
   mountStop(stop, store, context);
-  mountNext(next, store, context);
+  mountNext(next, root, store, context);
   store.subscribe((now, before) => {
     if (matters(now, before)) panel.follow();
     else if (now.session.orientation !== before.session.orientation) panel.showAgain();

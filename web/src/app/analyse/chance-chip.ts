@@ -46,6 +46,7 @@ export function mountChip(
 
   function ask(): void {
     const question = store.session.mode === "aim" ? questionOf(store, context) : null;
+    chip.hidden = store.session.activity !== "analyse";
     chip.dataset.empty = String(question === null);
     chip.disabled = question === null;
     if (!question) {

@@ -1,8 +1,8 @@
 /** The part of the panel that looks ahead: the zone for the next ball, and a plan of three balls. */
 
-import type { BallInfo, Engine } from "../../engine/index.ts";
+import type { BallInfo, DrawnMark, Engine } from "../../engine/index.ts";
 import type { Context } from "../common/context.ts";
-import { h, setText, uniqueId } from "../common/dom.ts";
+import { h, setText, svg, uniqueId } from "../common/dom.ts";
 import { changeUnpressed } from "../common/press.ts";
 import { ballName, playedName, pocketName } from "../common/shot-words.ts";
 import type { Store } from "../document/store.ts";
@@ -13,7 +13,8 @@ import DeskWorker from "./desk/desk-worker.ts?worker&inline";
 import { ellipseAround } from "./leave-picture.ts";
 import { noiseOf, positionOf } from "./analysed-position.ts";
 import { considered, ordersOf } from "./plan-orders.ts";
-import { resultButton, showShot } from "./result-preview.ts";
+import { DASHES, planMarks } from "./plan-drawing.ts";
+import { hidePreview, resultButton, showMarks, showShot } from "./result-preview.ts";
 import { percent, planText, strikeText, zoneText } from "./analyse-words.ts";
 import { capital, t } from "../words/translate.ts";
 
@@ -28,12 +29,22 @@ const RUNS = 64;
 
 const STOP = "#8fe3ff";
 
-export function mountNext(root: HTMLElement, store: Store, context: Context): void {
-  mountZone(root, store, context);
-  mountPlan(root, store, context);
+/** @param panel The tab: what it draws on the table goes with it. */
+export function mountNext(
+  root: HTMLElement,
+  panel: HTMLElement,
+  store: Store,
+  context: Context,
+): void {
+  const zone = mountZone(root, panel, store, context);
+  const planner = mountPlan(root, store, context);
+  new MutationObserver(() => {
+    zone.ask();
+    if (panel.hidden) planner.draw(false);
+  }).observe(panel, { attributeFilter: ["hidden"] });
 }
 
-function mountZone(root: HTMLElement, store: Store, context: Context): void {
+function mountZone(root: HTMLElement, panel: HTMLElement, store: Store, context: Context): Zone {
   const ball = h("select", { id: uniqueId("next-ball") });
   const status = h("p", { class: "hint", id: "zone-status", role: "status" });
   root.append(
@@ -41,7 +52,7 @@ function mountZone(root: HTMLElement, store: Store, context: Context): void {
     h("div", { class: "row" }, h("label", { for: ball.id }, t("next.ball")), ball),
     status,
   );
-  const zone = new Zone(ball, status, store, context.engine);
+  const zone = new Zone(panel, ball, status, store, context.engine);
   const follow = (): void => {
     fill(ball, objectBalls(store), t("next.off"));
     zone.ask();
@@ -56,10 +67,12 @@ function mountZone(root: HTMLElement, store: Store, context: Context): void {
     if (!isSame) follow();
   });
   follow();
+  return zone;
 }
 
 /** The zone from which the chosen ball can be potted. */
 class Zone {
+  readonly #panel: HTMLElement;
   readonly #ball: HTMLSelectElement;
   readonly #status: HTMLElement;
   readonly #store: Store;
@@ -67,7 +80,14 @@ class Zone {
   readonly #desk: Desk;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(ball: HTMLSelectElement, status: HTMLElement, store: Store, engine: Engine) {
+  constructor(
+    panel: HTMLElement,
+    ball: HTMLSelectElement,
+    status: HTMLElement,
+    store: Store,
+    engine: Engine,
+  ) {
+    this.#panel = panel;
     this.#ball = ball;
     this.#status = status;
     this.#store = store;
@@ -79,7 +99,7 @@ class Zone {
   ask(): void {
     clearTimeout(this.#timer);
     const { activity, mode, analysis } = this.#store.session;
-    const isShown = this.#ball.value !== "" && activity === "analyse";
+    const isShown = this.#ball.value !== "" && activity === "analyse" && !this.#panel.hidden;
     if (isShown && mode !== "replay") {
       const next = this.#ball.value;
       this.#timer = setTimeout(() => this.#search(next), REST);
@@ -114,7 +134,7 @@ class Zone {
   }
 }
 
-function mountPlan(root: HTMLElement, store: Store, context: Context): void {
+function mountPlan(root: HTMLElement, store: Store, context: Context): Planner {
   const planner = new Planner(root, store, context.engine);
   store.subscribe((now, before) => {
     const isSame =
@@ -124,8 +144,12 @@ function mountPlan(root: HTMLElement, store: Store, context: Context): void {
       now.session.analysis.level === before.session.analysis.level;
     if (!isSame) planner.follow();
     else if (now.session.orientation !== before.session.orientation) planner.showAgain();
+    // Another aim hides it; a shot that is no longer pointed at gives it the table back.
+    if (now.document !== before.document) planner.draw(false);
+    else if (before.session.analysis.preview && !now.session.analysis.preview) planner.drawAgain();
   });
   planner.clear();
+  return planner;
 }
 
 /** A plan that was found. */
@@ -155,6 +179,11 @@ class Planner {
     ),
   );
   readonly #go = h("button", { type: "button", class: "button", id: "plan" }, t("plan.plan"));
+  readonly #drawButton = h(
+    "button",
+    { type: "button", class: "button", id: "plan-draw", hidden: true, "aria-pressed": "false" },
+    t("plan.draw"),
+  );
   readonly #list = h("ol", { class: "lines", id: "plan-legs", "aria-label": t("plan.title") });
   readonly #status = h("p", {
     class: "hint",
@@ -164,16 +193,19 @@ class Planner {
   });
   #shown: readonly Leg[] = [];
   #found: Plan | null = null;
+  /** The marks of the plan while it is drawn on the table. */
+  #drawn: readonly DrawnMark[] | null = null;
 
   constructor(root: HTMLElement, store: Store, engine: Engine) {
     this.#store = store;
     this.#engine = engine;
     this.#desk = new Desk(() => new DeskWorker(), engine);
     this.#go.addEventListener("click", () => this.#plan());
+    this.#drawButton.addEventListener("click", () => this.draw(this.#drawn === null));
     root.append(
       h("h2", {}, t("plan.title")),
       h("div", { class: "thirds" }, ...this.#rows),
-      h("div", { class: "row" }, this.#go),
+      h("div", { class: "row" }, this.#go, this.#drawButton),
       this.#list,
       this.#status,
     );
@@ -189,7 +221,23 @@ class Planner {
     this.clear();
     if (!isOfPlan) return;
     this.#show(found.legs);
+    this.#drawButton.hidden = false;
     setText(this.#status, found.said);
+  }
+
+  /** Draws the shots of the plan from the present position on, in place of the aimed shot, or hides them. */
+  draw(isWanted: boolean): void {
+    const { balls } = this.#store.document.shot;
+    const next = this.#shown.findIndex(({ shot }) => shot.balls === balls);
+    const wasDrawn = this.#drawn !== null;
+    this.#drawn = isWanted ? planMarks(this.#engine, this.#shown, Math.max(0, next)) : null;
+    this.#drawButton.setAttribute("aria-pressed", String(isWanted));
+    if (isWanted) this.drawAgain();
+    else if (wasDrawn) hidePreview(this.#store);
+  }
+
+  drawAgain(): void {
+    if (this.#drawn) showMarks(this.#store, this.#drawn);
   }
 
   #settings(): readonly unknown[] {
@@ -199,6 +247,8 @@ class Planner {
 
   clear(): void {
     this.#desk.cancel();
+    this.draw(false);
+    this.#drawButton.hidden = true;
     this.#show([]);
     setText(this.#status, t("plan.hint"));
     const balls = objectBalls(this.#store);
@@ -215,7 +265,9 @@ class Planner {
   #show(legs: readonly Leg[]): void {
     this.#shown = legs;
     changeUnpressed(this.#list, () =>
-      this.#list.replaceChildren(...legs.map((leg) => legItem(this.#store, this.#engine, leg))),
+      this.#list.replaceChildren(
+        ...legs.map((leg, k) => legItem(this.#store, this.#engine, leg, k)),
+      ),
     );
   }
 
@@ -225,6 +277,8 @@ class Planner {
       setText(this.#status, t("plan.no-order"));
       return;
     }
+    this.draw(false);
+    this.#drawButton.hidden = true;
     this.#show([]);
     setText(this.#status, t("plan.searching"));
     const { balls } = this.#store.document.shot;
@@ -240,6 +294,9 @@ class Planner {
         if (legs.length < job.length) setText(this.#status, t("plan.none"));
         const positions = new Set([balls, ...legs.map(({ shot }) => shot.balls)]);
         this.#found = { legs, said: this.#status.textContent, settings, positions };
+        if (legs.length < job.length) return;
+        this.#drawButton.hidden = false;
+        this.draw(true);
       },
       refused: (message) => setText(this.#status, message),
     });
@@ -265,7 +322,7 @@ class Planner {
   }
 }
 
-function legItem(store: Store, engine: Engine, leg: Leg): HTMLElement {
+function legItem(store: Store, engine: Engine, leg: Leg, index: number): HTMLElement {
   const { ball, pocket, strike, chance } = leg;
   const show = () => {
     const outline = ellipseAround(leg.stops);
@@ -287,10 +344,20 @@ function legItem(store: Store, engine: Engine, leg: Leg): HTMLElement {
           "span",
           { class: "facts" },
           h("span", {}, `${t("lines.pot-chance")} `, h("b", {}, percent(chance))),
+          dashSample(index),
         ),
       ),
     ),
   );
+}
+
+/** The line that a shot of the plan has on the table. */
+function dashSample(index: number): SVGElement {
+  const sample = svg("svg", { class: "plan-dash", viewBox: "0 0 44 6", "aria-hidden": "true" });
+  const dash = DASHES[index % DASHES.length];
+  const lengths = dash ? dash.map((length) => 100 * length).join(" ") : "none";
+  sample.append(svg("path", { d: "M1 3h42", "stroke-dasharray": lengths }));
+  return sample;
 }
 
 /** The balls of the layout that can be potted, by their ids. */

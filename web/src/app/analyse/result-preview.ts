@@ -1,7 +1,7 @@
 /** Shows one result of the analysis on the table, until another one is shown or the document changes. */
 
 import { type Child, h } from "../common/dom.ts";
-import { CaromError, type Shot, type Trace } from "../../engine/index.ts";
+import { CaromError, type DrawnMark, type Shot, type Trace } from "../../engine/index.ts";
 import type { Area } from "../../viewer/index.ts";
 import type { Store } from "../document/store.ts";
 
@@ -23,6 +23,11 @@ export function showShot(store: Store, shot: Shot, areas: readonly Area[]): void
 /** Shows areas on the cloth beside the aimed shot. */
 export function showAreas(store: Store, areas: readonly Area[]): void {
   replace(store, null, areas);
+}
+
+/** Shows marks in place of the aimed shot. */
+export function showMarks(store: Store, marks: readonly DrawnMark[]): void {
+  replace(store, null, [], marks);
 }
 
 /** Shows the aimed shot alone. */
@@ -47,9 +52,14 @@ export function resultButton(
   return h("button", { type: "button", class: "line", onclick, ...looks }, ...children);
 }
 
-function replace(store: Store, trace: Trace | null, areas: readonly Area[]): void {
+function replace(
+  store: Store,
+  trace: Trace | null,
+  areas: readonly Area[],
+  marks?: readonly DrawnMark[],
+): void {
   const before = shown;
   shown = trace;
-  store.setPart("analysis", { preview: { trace, areas } });
+  store.setPart("analysis", { preview: { trace, areas, ...(marks && { marks }) } });
   before?.free();
 }

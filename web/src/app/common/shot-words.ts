@@ -19,6 +19,11 @@ export function ballName(id: string): string {
   return BALLS.includes(id) ? named("ball", id)! : t("ball.other", { id });
 }
 
+/** A ball's name on a small button: its number, or its name without the article that English has. */
+export function shortName(id: string): string {
+  return /^\d+$/.test(id) ? id : ballName(id).replace(/^the /, "");
+}
+
 /** A ball as players name it within a sentence: one of many reds is "a red". */
 export function playedName(id: string): string {
   return isOneRed(id) ? t("ball.a-red") : ballName(id);
@@ -30,6 +35,17 @@ export function playedNames(ids: readonly string[]): string[] {
   if (count < 2) return ids.map(playedName);
   const names = ids.map((id) => (isOneRed(id) ? t("ball.reds", { count }) : ballName(id)));
   return [...new Set(names)];
+}
+
+/**
+ * The name of each ball where no two may be equal, as in rows of a table: one of several reds has its number, and
+ * the ball `cue` is the white one while another ball is struck.
+ */
+export function distinctNames(ids: readonly string[], struck: string | null): string[] {
+  const several = ids.filter(isOneRed).length > 1;
+  return ids.map((id) =>
+    several && isOneRed(id) ? ballName(id) : objectName(id, { cue_ball: struck }),
+  );
 }
 
 /** Whether a ball is one of many reds, as in snooker. */

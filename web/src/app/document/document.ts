@@ -1,6 +1,6 @@
 /** The state of the page: the document, the view and the session. */
 
-import type { Noise, PocketName, Trace } from "../../engine/index.ts";
+import type { DrawnMark, Noise, PocketName, Trace } from "../../engine/index.ts";
 import type { Area, Density } from "../../viewer/index.ts";
 import type { Orientation } from "../common/seen.ts";
 import type { SpeedUnit } from "../common/units.ts";
@@ -78,6 +78,8 @@ export interface Preview {
   /** A shot that is shown in place of the aimed one; null: the aimed one. */
   readonly trace: Trace | null;
   readonly areas: readonly Area[];
+  /** The shots of a plan, drawn in place of the aimed shot. */
+  readonly marks?: readonly DrawnMark[];
 }
 
 /** What the page is used for; it decides which panels are shown. */

@@ -199,7 +199,7 @@ function showScore(root: HTMLElement, engine: Engine, { setup }: Game, state: Fr
   // A dash would read as a score: "Player 1 – Machine 2".
   const points =
     text === ""
-      ? h("span", { class: "hint" }, t("table.versus"))
+      ? h("span", { class: "hint versus" }, t("table.versus"))
       : h("span", { class: "points" }, text);
   const [first, second] = [side(order[0]), side(order[1])];
   const players = isForOne(engine, state.game) ? [side(0), points] : [first, points, second];

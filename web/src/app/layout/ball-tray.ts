@@ -3,7 +3,7 @@
 import { trayOf } from "../../photo/index.ts";
 import type { Context } from "../common/context.ts";
 import { h } from "../common/dom.ts";
-import { ballName } from "../common/shot-words.ts";
+import { ballName, shortName } from "../common/shot-words.ts";
 import { addBall } from "../document/layout-changes.ts";
 import type { Store } from "../document/store.ts";
 import { t } from "../words/translate.ts";
@@ -56,7 +56,7 @@ function ball(id: string, index: number, store: Store, context: Context): HTMLBu
       "aria-label": t("layout.put", { ball: ballName(id) }),
     },
     swatch(id, index),
-    id,
+    shortName(id),
   );
   // The browser looks at it when a finger touches the chip: later it would scroll the panel.
   chip.style.touchAction = "none";

@@ -13,7 +13,7 @@ import { mountTable } from "./table-controls.ts";
 import { middleInView } from "./ball-drag.ts";
 import { mountTray } from "./ball-tray.ts";
 import { gameName } from "../common/preset-names.ts";
-import { ballName } from "../common/shot-words.ts";
+import { ballName, shortName } from "../common/shot-words.ts";
 import { language, t } from "../words/translate.ts";
 
 /** Seeds drawn by the page are below this: short numbers are easy to pass on. */
@@ -104,14 +104,15 @@ function mountBalls(root: HTMLElement, store: Store, context: Context): void {
             class: "button chip",
             role: "radio",
             "aria-checked": String(id === selected),
-            "aria-label": id === strike.ball ? t("layout.struck", { id }) : id,
+            "aria-label":
+              id === strike.ball ? t("layout.struck", { ball: shortName(id) }) : shortName(id),
             tabindex: id === current ? 0 : -1,
             onclick: () => {
               store.setSession({ selected: id });
             },
           },
           swatch(id, index),
-          id,
+          shortName(id),
         ),
       ),
     );

@@ -22,8 +22,11 @@ export function conditionText(condition: GoalCondition): string {
     case "next":
       return t(`goal.${condition.kind}`, { ball: ballName(condition.ball) });
     case "kick":
+      return t("goal.kick", { count: condition.cushions });
     case "carom":
-      return t(`goal.${condition.kind}`, { count: condition.cushions });
+      return condition.cushions === 0
+        ? t("goal.carom-plain")
+        : t("goal.carom", { count: condition.cushions });
     case "cushions":
       return t("goal.cushions", { ball: ballName(condition.ball), count: condition.cushions });
     case "touch":
@@ -35,13 +38,15 @@ export function conditionText(condition: GoalCondition): string {
     case "gather":
       return t("goal.gather", { length: lengthText(condition.distance) });
     case "stop":
-      return t("goal.stop", { ball: ballName(condition.ball ?? "cue") });
+      return condition.ball === undefined
+        ? t("goal.stop-cue")
+        : t("goal.stop", { ball: ballName(condition.ball) });
   }
 }
 
 /** The goal as a sentence. */
 export function goalText(goal: readonly GoalCondition[]): string {
-  return t("goal.task", { conditions: list(goal.map(conditionText)) });
+  return t("goal.task", { conditions: goal.map(conditionText).join(t("goal.and")) });
 }
 
 /** How a shot stands to the goal. */

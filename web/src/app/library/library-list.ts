@@ -42,9 +42,9 @@ export class LibraryList {
       h("p", { class: "hint" }, t("library.intro")),
       ...(library
         ? [
-            this.#folders,
             labelled(t("library.name"), this.#name),
             labelled(t("library.folder"), this.#folder),
+            this.#folders,
             h("div", { class: "row" }, this.#save, study),
             this.#deleted,
             this.#entries,

@@ -2,7 +2,7 @@
 
 import type { Puzzle } from "../../engine/index.ts";
 import { h } from "../common/dom.ts";
-import { decimal, named, paragraph, t } from "../words/translate.ts";
+import { decimal, named, paragraph, sentence, t } from "../words/translate.ts";
 import { diagram } from "./drill-diagram.ts";
 import { needsText } from "./goal-words.ts";
 import { button, type Trainer } from "./train-parts.ts";
@@ -68,7 +68,7 @@ function cardOf(puzzle: Puzzle, date: string, { context, keeper, practice }: Tra
   const streak = streakOf(progress, date);
   const said = [
     ...(result?.solved ? [t("puzzle.solved", { count: result.tries })] : []),
-    ...(streak > 0 ? [`${t("puzzle.streak", { count: streak })}.`] : []),
+    ...(streak > 0 ? [sentence(t("puzzle.streak", { count: streak }))] : []),
   ].join(" ");
   return [
     diagram(context.engine, setting, { label: t("puzzle.diagram"), enlarged: ENLARGED }),

@@ -3,7 +3,7 @@
 import "./sheet.css";
 import type { Engine } from "../../engine/index.ts";
 import { h } from "../common/dom.ts";
-import { paragraph, t } from "../words/translate.ts";
+import { paragraph, sentence, t } from "../words/translate.ts";
 import { diagram } from "./drill-diagram.ts";
 import type { Drill, Step } from "./drills/index.ts";
 import { needsText } from "./goal-words.ts";
@@ -81,7 +81,7 @@ function stepOnSheet(engine: Engine, drill: Drill, step: Step, scale: number): H
       h(
         "figcaption",
         {},
-        paragraph([`${t("train.step", { step: number, steps: steps.length })}.`, goal]),
+        paragraph([sentence(t("train.step", { step: number, steps: steps.length })), goal]),
       ),
   );
 }

@@ -2,7 +2,7 @@
 
 import { ballName, lengthText } from "../common/shot-words.ts";
 import { presetLabel } from "../common/preset-names.ts";
-import { capital, list, named, paragraph, t } from "../words/translate.ts";
+import { capital, list, named, paragraph, sentence, t } from "../words/translate.ts";
 import { needsText } from "./goal-words.ts";
 import type { Drill } from "./drills/index.ts";
 import type { Fault, Verdict } from "./drill-judge.ts";
@@ -20,7 +20,7 @@ export function goalText({ drill, step }: Setting): string {
   const { steps } = drill;
   const number = steps.indexOf(step) + 1;
   const which =
-    steps.length > 1 ? `${t("train.step", { step: number, steps: steps.length })}.` : "";
+    steps.length > 1 ? sentence(t("train.step", { step: number, steps: steps.length })) : "";
   const own = named("drill-goal", drill.id);
   return paragraph([own ?? paragraph([drill.text ?? "", needsText(step)]), which]);
 }

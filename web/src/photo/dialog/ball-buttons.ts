@@ -1,7 +1,7 @@
 /** The balls that can be placed, as buttons. */
 
 import { look } from "../../viewer/index.ts";
-import { ballText, fill, TEXTS } from "../texts.ts";
+import { ballText, fill, shortBallText, TEXTS } from "../texts.ts";
 import { drawing, element } from "./element.ts";
 
 export class Tray {
@@ -54,7 +54,7 @@ export class Tray {
 
   #button(id: string, index: number): HTMLButtonElement {
     const attributes = { type: "button", class: "button chip", role: "radio" };
-    const made = element("button", attributes, swatch(id, index), short(id));
+    const made = element("button", attributes, swatch(id, index), shortBallText(id));
     made.addEventListener("click", () => {
       this.#choose(id);
     });
@@ -71,11 +71,6 @@ export class Tray {
     if (id !== undefined) this.#choose(id);
     event.preventDefault();
   }
-}
-
-/** A ball's number, or the first letters of its name and its number. */
-function short(id: string): string {
-  return id.replace(/^([a-z]{3})[a-z]*-?/, "$1 ").trim();
 }
 
 function swatch(id: string, index: number): SVGSVGElement {

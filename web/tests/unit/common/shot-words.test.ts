@@ -1,5 +1,11 @@
 import { afterEach, expect, test } from "vitest";
-import { ballName, playedName, playedNames } from "../../../src/app/common/shot-words.ts";
+import {
+  ballName,
+  distinctNames,
+  playedName,
+  playedNames,
+  shortName,
+} from "../../../src/app/common/shot-words.ts";
 import { setLanguage } from "../../../src/app/words/translate.ts";
 
 afterEach(() => setLanguage("en"));
@@ -22,4 +28,26 @@ test("a list of balls tells the reds apart", () => {
 
 test("the red of carom and a numbered ball have one name", () => {
   for (const id of ["red", "9", "cue"]) expect(playedName(id)).toBe(ballName(id));
+});
+
+test("rows of a table give several reds their numbers, and the white its name beside a struck yellow", () => {
+  expect(distinctNames(["cue", "red-1", "red-2"], "cue")).toEqual([
+    "the cue ball",
+    "red 1",
+    "red 2",
+  ]);
+  expect(distinctNames(["cue", "yellow", "red-1"], "yellow")).toEqual([
+    "the white",
+    "the yellow",
+    "a red",
+  ]);
+});
+
+test.each([
+  ["en", ["9", "cue ball", "red 3"]],
+  ["de", ["9", "Spielball", "Rote 3"]],
+  ["zh", ["9", "母球", "红球3"]],
+] as const)("a small button names a ball without an article: %s", (language, names) => {
+  setLanguage(language);
+  expect(["9", "cue", "red-3"].map(shortName)).toEqual(names);
 });

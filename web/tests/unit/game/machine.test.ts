@@ -244,6 +244,9 @@ describe("a machine", () => {
       if (!reason.meant) continue;
       expect(reason.meant.play.call).toEqual(move.play.call);
       expect(words).toMatch(/^Meant: /);
+      // Seen: "the next best" with a better chance than the shot itself.
+      const isBetter = (reason.instead?.win_chance ?? 0) > reason.meant.win_chance;
+      expect(words.includes("The analysis prefers:")).toBe(isBetter);
       explained += 1;
     }
     expect(explained).toBeGreaterThan(5);

@@ -250,3 +250,30 @@ test("files of studies are recognised, damaged or not", () => {
   expect(isStudyText('{"format": "carom-shot/1", "note": "carom-study/1"}')).toBe(false);
   expect(isStudyText('{"format": "carom-study/1"')).toBe(false);
 });
+
+test.each([
+  ["en", "Task: ball 1 falls and the cue ball meets two balls."],
+  ["de", "Aufgabe: Kugel 1 fällt und der Spielball trifft zwei Kugeln."],
+  ["zh", "任务：1号球落袋，并且母球碰到两颗球。"],
+] as const)("a carom without cushions counts none in the text of a task: %s", (language, text) => {
+  // Seen: "vor der zweiten mindestens 0 Banden".
+  setLanguage(language);
+  const goal: GoalCondition[] = [
+    { kind: "pot", ball: "1" },
+    { kind: "carom", cushions: 0 },
+  ];
+  expect(goalText(goal)).toBe(text);
+});
+
+test("the cue ball of a task has its article in German", () => {
+  setLanguage("de");
+  expect(goalText([{ kind: "stop" } as GoalCondition])).toBe(
+    "Aufgabe: der Spielball bleibt in der Fläche liegen.",
+  );
+});
+
+test("the example and the page have one German word for the cue ball", () => {
+  // Seen: Spielkugel in the study, Spielball on the page.
+  setLanguage("de");
+  expect(JSON.stringify(exampleStudy(engine))).not.toContain("Spielkugel");
+});

@@ -74,8 +74,13 @@ export function reasonInWords(reason: Reason | null): string {
     play: playInWords(instead),
     win: estimated(instead.win_chance),
   };
+  // A weaker machine does not find the best play: the other one may be better than its own.
+  const isBetter = meant !== null && instead !== null && instead.win_chance > meant.win_chance;
   const said = meant
-    ? [...chancesInWords(meant), other ? t("reason.instead", other) : ""]
+    ? [
+        ...chancesInWords(meant),
+        other ? t(isBetter ? "reason.prefers" : "reason.instead", other) : "",
+      ]
     : [
         t("reason.none"),
         expected === null ? "" : t("reason.win", { win: estimated(expected) }),

@@ -92,6 +92,7 @@ export const texts: Translation<typeof en.analyse> = {
   "plan.ball": "Kugel {number}",
   "plan.any": "Jede",
   "plan.plan": "Planen",
+  "plan.draw": "Alle auf dem Tisch zeichnen",
   "plan.hint": "Wählen Sie die Kugeln, oder überlassen Sie die Wahl dem Programm.",
   "plan.searching": "Wird geplant …",
   "plan.none": "Kein Plan gefunden: Eine der Kugeln hat keine direkte Linie zu einer Tasche.",

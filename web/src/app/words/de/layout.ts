@@ -15,7 +15,7 @@ export const texts: Translation<typeof en.layout> = {
   "layout.balls-hint":
     "Ziehen Sie Kugeln auf dem Tisch, oder wählen Sie hier eine und schreiben Sie ihren Platz.",
   "layout.selected": "Gewählte Kugel",
-  "layout.struck": "{id}, wird gestoßen",
+  "layout.struck": "{ball}, wird gestoßen",
   "layout.new-ball": "Neue Kugel",
   "layout.add": "Hinzufügen",
   "layout.across": "Quer",

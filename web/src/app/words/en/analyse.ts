@@ -88,6 +88,7 @@ export const texts = {
   "plan.ball": "Ball {number}",
   "plan.any": "Any",
   "plan.plan": "Plan",
+  "plan.draw": "Draw all on the table",
   "plan.hint": "Choose the balls, or leave the choice to the player.",
   "plan.searching": "Planning …",
   "plan.none": "No plan was found: one of the balls has no direct line to a pocket.",

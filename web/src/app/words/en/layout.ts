@@ -12,7 +12,7 @@ export const texts = {
   "layout.balls": "Balls",
   "layout.balls-hint": "Drag balls on the table, or select one here and write its position.",
   "layout.selected": "Selected ball",
-  "layout.struck": "{id}, struck",
+  "layout.struck": "{ball}, struck",
   "layout.new-ball": "New ball",
   "layout.add": "Add ball",
   "layout.across": "Across",

@@ -71,6 +71,7 @@ export const texts = {
   "lesson.task-none": "Choose what the task asks for.",
   "lesson.task-remove": "Remove the task",
   "goal.task": "Task: {conditions}.",
+  "goal.and": " and ",
   "goal.pot": "{ball} falls",
   "goal.pot-into": "{ball} falls into the {pocket} pocket",
   "goal.pot-any": "a ball falls",
@@ -83,6 +84,7 @@ export const texts = {
     one: "{ball} meets {count} cushion or more",
     other: "{ball} meets {count} cushions or more",
   },
+  "goal.carom-plain": "the cue ball meets two balls",
   "goal.carom": {
     one: "the cue ball meets two balls, with {count} cushion or more before the second",
     other: "the cue ball meets two balls, with {count} cushions or more before the second",
@@ -92,6 +94,7 @@ export const texts = {
   "goal.next": "the cue ball is left a direct pot of {ball}",
   "goal.apart": "{balls} lie at least {length} apart",
   "goal.gather": "all balls stop within {length} of the cue ball",
+  "goal.stop-cue": "the cue ball stops in the area",
   "goal.stop": "{ball} stops in the area",
   "goal.hidden": "{ball} is hidden from the cue ball",
   "change.chapter": "chapter",

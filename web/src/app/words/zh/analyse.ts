@@ -85,6 +85,7 @@ export const texts: Translation<typeof en.analyse> = {
   "plan.ball": "第 {number} 颗",
   "plan.any": "任意",
   "plan.plan": "规划",
+  "plan.draw": "全部画在球台上",
   "plan.hint": "选择球，或交给程序选择。",
   "plan.searching": "正在规划……",
   "plan.none": "没有找到方案：其中一颗球没有直接进袋的线路。",

@@ -14,7 +14,7 @@ export const texts: Translation<typeof en.layout> = {
   "layout.balls": "球",
   "layout.balls-hint": "在球台上拖动球，或在这里选一颗球并输入位置。",
   "layout.selected": "所选的球",
-  "layout.struck": "{id}，击打",
+  "layout.struck": "{ball}，击打",
   "layout.new-ball": "新球",
   "layout.add": "添加",
   "layout.across": "横向",
