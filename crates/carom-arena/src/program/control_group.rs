@@ -42,7 +42,7 @@ struct Part {
     home: PathBuf,
     /// Its limits.
     limits: &'static [Limit],
-    /// The file that counts the processes killed for want of memory.
+    /// The file that counts the processes that the kernel killed because it had no memory for them.
     kills: Option<&'static str>,
 }
 
