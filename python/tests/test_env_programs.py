@@ -235,7 +235,12 @@ def test_a_program_is_told_why_an_answer_is_refused_and_what_came_before(program
 
 
 @on_linux
-def test_ctrl_c_stops_a_step_that_waits_for_a_program(program: Any) -> None:
+def test_ctrl_c_stops_a_step_that_waits_for_a_program(
+    program: Any, request: pytest.FixtureRequest
+) -> None:
+    # A shell ignores SIGINT in what it starts in the background.
+    usual = signal.signal(signal.SIGINT, signal.default_int_handler)
+    request.addfinalizer(lambda: signal.signal(signal.SIGINT, usual))
     word = f"program {time.time_ns()}.py"
     env = carom.env.CaromEnv("nine-ball", opponent=program("time.sleep(1000)", word))
     env.reset(seed=1)
