@@ -13,6 +13,15 @@ pub(crate) const LARGEST: f64 = 1e9;
 /// quotient that the engine forms far from overflow; a microgram and a nanometre fit.
 pub(crate) const SMALLEST: f64 = 1e-9;
 
+/// A parameter smaller than this, whatever its unit, is read as 0, because its square could
+/// underflow and a quotient by it could overflow. −0 is read as 0 too, because 1/−0 is not 1/0.
+const VANISHING: f64 = 1e-150;
+
+/// A parameter as a file is read: 0 in place of one that vanishes.
+pub(crate) const fn or_zero(x: f64) -> f64 {
+    if x.abs() < VANISHING { 0.0 } else { x }
+}
+
 /// The numbers that a key accepts.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Range {

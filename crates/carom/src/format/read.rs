@@ -7,11 +7,7 @@ use core::fmt::Display;
 
 use super::node::Node;
 use crate::error::{Error, ErrorKind};
-use crate::range::{Range, describe_number};
-
-/// A parameter smaller than this, whatever its unit, is read as 0, because its square could
-/// underflow and a quotient by it could overflow. −0 is read as 0 too, because 1/−0 is not 1/0.
-const VANISHING: f64 = 1e-150;
+use crate::range::{Range, describe_number, or_zero};
 
 /// Reads a value of another file format by the rules of shot files, with the same error messages.
 #[derive(Clone, Debug)]
@@ -254,7 +250,7 @@ impl<'a> At<'a> {
             _ => return Err(self.wrong_type(&range.describe())),
         };
         range.check(|| self.place.clone(), x)?;
-        Ok(if x.abs() < VANISHING && !range.is_result() { 0.0 } else { x })
+        Ok(if range.is_result() { x } else { or_zero(x) })
     }
 
     /// A whole number from `low` up to `high`.

@@ -8,7 +8,7 @@ use crate::MotionState;
 use crate::error::{Error, ErrorKind};
 use crate::math::Vec3;
 use crate::physics::Physics;
-use crate::range::{LARGEST, Range};
+use crate::range::{LARGEST, Range, or_zero};
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
 
 /// Largest speed of the cue, m/s. The record is about 15 m/s.
@@ -57,7 +57,8 @@ impl StrikePolicy {
 /// Refuses numbers that a shot file would refuse. `place` is the place of the strike.
 pub(super) fn check_ranges(place: &str, strike: &Strike) -> Result<(), Error> {
     for (key, value, range) in [
-        ("speed", strike.speed, SPEED),
+        // One that a file would read as 0.
+        ("speed", or_zero(strike.speed), SPEED),
         ("azimuth", strike.azimuth, Range::any(" rad")),
         ("elevation", strike.elevation, ELEVATION),
         ("side", strike.side, OFFSET),

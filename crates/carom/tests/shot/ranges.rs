@@ -1,6 +1,7 @@
 //! Values within the documented ranges are accepted and their shots end; values outside are refused
 //! with their place.
 
+use carom::resolve::cue_ball::Strike;
 use carom::{Error, Shot};
 
 /// A shot on a bounded table with its cue ball at rest, and more keys for physics, ball and strike.
@@ -210,4 +211,20 @@ fn a_number_too_small_or_too_large_is_refused_with_the_limits() {
     let e = Shot::from_json(&with_physics("cloth", "sliding_friction", "1e10"));
     let e = e.expect_err("out of range").to_string();
     assert!(e.contains("≥ 0") && e.contains("1e9"), "{e}");
+}
+
+#[test]
+fn a_speed_that_a_file_reads_as_0_is_refused_in_memory_too() {
+    // A fuzzer played it in a game, whose record could then not be read.
+    let shot = Shot::from_json(&file("", "", "")).unwrap();
+    let (_, strike) = shot.strike().unwrap();
+    for (speed, is_played) in [(2.273e-321, false), (1e-151, false), (1e-149, true)] {
+        let slow = Strike { speed, ..strike };
+        let made = shot.with_strike(&slow);
+        let read = Shot::from_json(&with_strike("speed", &format!("{speed:e}")));
+        assert_eq!([made.is_ok(), read.is_ok(), shot.check_strike(&slow).is_ok()], [is_played; 3]);
+        if let (Err(made), Err(read)) = (made, read) {
+            assert_eq!(made.to_string(), read.to_string());
+        }
+    }
 }
