@@ -57,14 +57,22 @@ impl StrikePolicy {
 /// Refuses numbers that a shot file would refuse. `place` is the place of the strike.
 pub(super) fn check_ranges(place: &str, strike: &Strike) -> Result<(), Error> {
     for (key, value, range) in [
-        // One that a file would read as 0.
-        ("speed", or_zero(strike.speed), SPEED),
+        ("speed", strike.speed, SPEED),
         ("azimuth", strike.azimuth, Range::any(" rad")),
         ("elevation", strike.elevation, ELEVATION),
         ("side", strike.side, OFFSET),
         ("height", strike.height, OFFSET),
     ] {
         range.check(|| format!("{place}.{key}"), value)?;
+        // A file reads it as 0, so a saved shot or game would be another one.
+        if value != or_zero(value) {
+            let fault = format!("{value:e} is too close to 0 to be stored in a file");
+            return Err(ErrorKind::OutOfRange.at(
+                format!("{place}.{key}"),
+                fault,
+                "write 0, or a number from 1e-150 on",
+            ));
+        }
     }
     Ok(())
 }

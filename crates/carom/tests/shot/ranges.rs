@@ -214,17 +214,26 @@ fn a_number_too_small_or_too_large_is_refused_with_the_limits() {
 }
 
 #[test]
-fn a_speed_that_a_file_reads_as_0_is_refused_in_memory_too() {
-    // A fuzzer played it in a game, whose record could then not be read.
+fn a_number_of_a_strike_that_a_file_reads_as_0_is_refused_in_memory() {
+    // A fuzzer played it in a game: the saved game could not be read, or had another hash.
     let shot = Shot::from_json(&file("", "", "")).unwrap();
-    let (_, strike) = shot.strike().unwrap();
-    for (speed, is_played) in [(2.273e-321, false), (1e-151, false), (1e-149, true)] {
-        let slow = Strike { speed, ..strike };
-        let made = shot.with_strike(&slow);
-        let read = Shot::from_json(&with_strike("speed", &format!("{speed:e}")));
-        assert_eq!([made.is_ok(), read.is_ok(), shot.check_strike(&slow).is_ok()], [is_played; 3]);
-        if let (Err(made), Err(read)) = (made, read) {
-            assert_eq!(made.to_string(), read.to_string());
+    let (_, usual) = shot.strike().unwrap();
+    for (x, is_played) in [(2.273e-321, false), (-1e-151, false), (1e-149, true), (-0.0, true)] {
+        for (key, strike) in [
+            ("azimuth", Strike { azimuth: x, ..usual }),
+            ("elevation", Strike { elevation: x.abs(), ..usual }),
+            ("side", Strike { side: x, ..usual }),
+            ("height", Strike { height: x, ..usual }),
+            ("speed", Strike { speed: if x == 0.0 { 1.0 } else { x.abs() }, ..usual }),
+        ] {
+            let found = [shot.with_strike(&strike).map(drop), shot.check_strike(&strike)];
+            for result in found {
+                assert_eq!(result.is_ok(), is_played, "{key} {x:e}: {result:?}");
+                if let Err(error) = result {
+                    let place = format!("strike.{key}: ");
+                    assert!(error.to_string().starts_with(&place), "{error}");
+                }
+            }
         }
     }
 }
