@@ -179,9 +179,7 @@ impl ChanceByTable {
             }
         }
     }
-}
 
-impl ChanceByTable {
     /// Standard deviation of the probability from one table to another: the variance of the shares
     /// less that of counting. NaN unless two tables have two variants each.
     pub fn spread(&self) -> f64 {
