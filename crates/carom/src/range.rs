@@ -15,7 +15,7 @@ pub(crate) const SMALLEST: f64 = 1e-9;
 
 /// A parameter smaller than this, whatever its unit, is read as 0, because its square could
 /// underflow and a quotient by it could overflow. −0 is read as 0 too, because 1/−0 is not 1/0.
-const VANISHING: f64 = 1e-150;
+pub(crate) const VANISHING: f64 = 1e-150;
 
 /// A parameter as a file is read: 0 in place of one that vanishes.
 pub(crate) const fn or_zero(x: f64) -> f64 {

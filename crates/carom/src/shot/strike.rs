@@ -8,7 +8,7 @@ use crate::MotionState;
 use crate::error::{Error, ErrorKind};
 use crate::math::Vec3;
 use crate::physics::Physics;
-use crate::range::{LARGEST, Range, or_zero};
+use crate::range::{LARGEST, Range, VANISHING, or_zero};
 use crate::resolve::cue_ball::{self, Strike, StrikeError};
 
 /// Largest speed of the cue, m/s. The record is about 15 m/s.
@@ -70,7 +70,7 @@ pub(super) fn check_ranges(place: &str, strike: &Strike) -> Result<(), Error> {
             return Err(ErrorKind::OutOfRange.at(
                 format!("{place}.{key}"),
                 fault,
-                "write 0, or a number from 1e-150 on",
+                format!("write 0, or a number from {VANISHING:e} on"),
             ));
         }
     }
