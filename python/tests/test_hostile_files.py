@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import json
+import tarfile
+from pathlib import Path
 from typing import Any
 
 import carom
@@ -98,3 +100,27 @@ def test_hostile_records_are_refused(record: dict[str, Any]) -> None:
     with pytest.raises(InputError) as caught:
         Frame.replay(record)
     assert len(str(caught.value)) < 5000
+
+
+def test_every_input_that_a_fuzzer_kept_is_a_file_or_bad_input() -> None:
+    kept = Path(__file__).parents[2] / "fuzz" / "corpus" / "shot_parser.tar.xz"
+    shots, refused = 0, 0
+    with tarfile.open(kept) as archive:
+        for member in archive.getmembers():
+            data = archive.extractfile(member) if member.isfile() else None
+            if data is None:
+                continue
+            file = data.read().decode(errors="replace")
+            try:
+                shot = Shot.from_json(file)
+                assert Shot.from_json(shot.to_json()).to_dict() == shot.to_dict(), member.name
+                shots += 1
+            except InputError as error:
+                assert str(error), member.name
+                refused += 1
+            try:
+                Trace.from_json(file)
+            except InputError as error:
+                assert str(error), member.name
+    assert shots > 20
+    assert refused > 500
