@@ -40,7 +40,8 @@ impl Quaternion {
     /// The rotation by a rotation vector, rad.
     fn from_rotation_vector(by: Vec3) -> Self {
         let angle = by.length();
-        if angle == 0.0 {
+        // An angle that overflows has no sine.
+        if angle == 0.0 || angle.is_infinite() {
             return Self::IDENTITY;
         }
         let (sin, cos) = sin_cos(0.5 * angle);
@@ -124,6 +125,10 @@ impl Stretch {
 
     /// The rotation during `h` seconds, from `t` seconds after the start of the stretch.
     fn rotation(&self, t: f64, h: f64) -> Quaternion {
+        if self.length.is_infinite() {
+            // The rate is 0, and the cube of a long time would overflow.
+            return Quaternion::from_rotation_vector(self.spin * h);
+        }
         let mid = self.spin + self.rate * (t + 0.5 * h);
         Quaternion::from_rotation_vector(mid * h + self.rate.cross(mid) * (h * h * h / 12.0))
     }

@@ -232,6 +232,24 @@ fn the_polyline_of_a_ball_that_never_rests_ends_with_the_shot() {
     assert!(x.is_finite());
 }
 
+/// Seen: the orientation of a ball that rests was not a number after 2e117 s.
+/// Cause: the cube of the time overflowed and was multiplied by 0.
+#[test]
+fn every_state_is_finite_at_any_time() {
+    let file = r#"{"format": "carom-shot/1", "table": {"cloth": "unbounded"}, "physics": {"cloth": {"rolling_friction": 0}},
+        "balls": [{"id": "a", "position": [0, 0]},
+                  {"id": "b", "position": [0, 1], "velocity": [0, 1, 0], "angular_velocity": [-30, 0, 9]}]}"#;
+    let trace = Shot::from_json(file).and_then(|s| s.simulate()).expect("a shot");
+    let orientations = trace.orientations();
+    for time in [1e9, 1e100, 1e117, 1e160, 1e300, f64::MAX] {
+        let states = trace.at(time).expect("a time");
+        for (ball, state) in states.iter().enumerate() {
+            assert!(state.position.is_finite(), "{ball} at {time} s: {state:?}");
+            assert!(orientations.at(ball, time).iter().all(|x| x.is_finite()), "{ball} at {time} s");
+        }
+    }
+}
+
 /// Seen: memory ran out. Cause: a step for every tenth of a radian, for as long as the ball slides.
 #[test]
 fn the_orientations_of_a_ball_that_slides_for_centuries_take_bounded_memory() {
