@@ -30,6 +30,8 @@ from carom.files import write_whole
 STORED = Path(__file__).parent / "results" / "film_errors.json"
 #: Error of the places of rest, m, where they are free.
 REST = 0.0015
+#: Longest time between two contacts that a film shows as one, s.
+ONE = 0.03
 QUANTILES = (5, 25, 50, 75, 95)
 
 
@@ -100,12 +102,18 @@ def in_order(shown: learn.Segments, strike: learn.FilmedStrike, trace: carom.Tra
         if struck in contact.balls and contact.is_known
     ]
     end = strike.shot.track[struck][-1, 0]
-    model = [
-        event.get("rail") or next(ball for ball in event["balls"] if ball != struck)
+    met = [
+        (event["time"], event.get("rail") or next(b for b in event["balls"] if b != struck))
         for event in trace.events
         if event["type"] in ("ball-collision", "rail-collision")
         and struck in event["balls"]
         and event["time"] < end
+    ]
+    # A film shows two contacts with one rail or ball as one if they follow each other so soon.
+    model = [
+        what
+        for number, (when, what) in enumerate(met)
+        if number == 0 or met[number - 1][1] != what or when - met[number - 1][0] > ONE
     ]
     return film == model
 

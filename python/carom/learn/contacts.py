@@ -37,7 +37,7 @@ _CHANGE_ALONE = 0.1
 _SAME_TIME = 0.02
 
 
-# Contacts of the same balls within this time, s, are one.
+# Contacts of the same balls, or of a ball with the same rail, within this time, s, are one.
 _ONE = 0.03
 # A change of velocity without a cause counts from this, m/s, and this number of standard
 # deviations: a cut at the end of sliding that is some samples off looks like a small one.
@@ -283,7 +283,7 @@ def _crossing(times: Floats, distances: Floats, tolerance: float, *, last: bool)
 
 
 def _without_repeats(causes: list[_Cause]) -> list[_Cause]:
-    """The causes without contacts that both balls have found."""
+    """The causes without contacts that both balls, or two kinks at one rail, have found."""
     kept: list[_Cause] = []
     for cause in sorted(causes, key=lambda c: (c.contact.time, -len(c.kinks))):
         own = cause.contact
@@ -291,8 +291,9 @@ def _without_repeats(causes: list[_Cause]) -> list[_Cause]:
             (
                 k
                 for k in kept
-                if len(own.balls) == 2
+                if (len(own.balls) == 2 or own.rail is not None)
                 and set(k.contact.balls) == set(own.balls)
+                and k.contact.rail == own.rail
                 and own.time - k.contact.time < _ONE
             ),
             None,
@@ -318,6 +319,8 @@ def _numbered(causes: list[_Cause]) -> Found:
 
 def _rail_misfit(kink: Kink, cushion: Cushion) -> float | None:
     """Distance from the cushion in parts of the tolerance; None if it is not the cause."""
+    if kink.starts:
+        return None  # a rail moves no ball that rests
     distance, away = cushion.contact(kink.place)
     tolerance = _RAIL_TOLERANCE + _SIGMAS * kink.place_sigma
     change = kink.change

@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 LEAST_HORIZON = 0.8
 #: The same if its strike is known apart from the film: then it tells of the table from the start.
 LEAST_KNOWN = 0.1
+#: The strike that fits a whole shot best may leave the track in its first pictures. Then those that
+#: fit this much of its beginning, s, are tried.
+BEGINNINGS = (0.8, 1.6, 3.2)
 #: Standard deviation of model minus track, m: at the strike, and its growth a second. The error of
 #: a model grows with every contact, and contacts come at a steady pace.
 SIGMA = (0.004, 0.004)
@@ -233,16 +236,29 @@ class _Joint:
         time = observed.until(observed.end).time
         return min(leaves(found[: 2 * time.size].reshape(-1, 2), time), observed.end)
 
+    def on_track(self, index: int, vector: Floats) -> tuple[float, Floats]:
+        """How long the strike near another one that stays on the track longest does so, s; and it."""
+        problem, first = self.problem(index), self.observed[index].first_move
+        steps, found = np.array(STEPS), []
+        for seconds in BEGINNINGS:
+            at = problem.residuals(first + seconds)
+            refined, _ = levenberg.refine(at, vector[None], steps, iterations=8, scale=0.03)
+            found.append((self.horizon(index, refined[0]), refined[0]))
+        return max(found, key=lambda one: one[0])
+
     def part(self, index: int) -> _Part | None:
         """What a shot says about the free numbers; None if it leaves the track too early."""
         vector = self.strikes[index]
         if vector is None:
             return None
         observed, model = self.observed[index], self.model
-        horizon = self.horizon(index, vector)
         meant = self.intended[index]
         is_known = meant is not None and np.isfinite(meant.sigma).all()
-        if horizon < observed.first_move + (LEAST_KNOWN if is_known else LEAST_HORIZON):
+        least = observed.first_move + (LEAST_KNOWN if is_known else LEAST_HORIZON)
+        horizon = self.horizon(index, vector)
+        if horizon < least:
+            horizon, vector = self.on_track(index, vector)
+        if horizon < least:
             return None
         problem = self.problem(index)
         at = problem.residuals(horizon)

@@ -10,8 +10,9 @@ from carom.candidates import Candidates
 from carom.lazy import np
 from carom.learn import levenberg
 from carom.learn.intended_strikes import IntendedStrike
-from carom.learn.observation import Observation
+from carom.learn.observation import Observation, first_move
 from carom.learn.table_model import Frame
+from carom.learn.tracks import TrackedBall
 from carom.shot import Shot
 from carom.tracks import BallTracks, track_residuals
 
@@ -42,6 +43,13 @@ NEAR = (0.01, 0.2, 0.1, 0.1, 0.03)
 #: A number of a strike that is one standard deviation from the intended one costs as much as this
 #: error, m, in one coordinate of one picture: the standard deviation of model minus track at first.
 INTENDED_WEIGHT = 0.004
+#: Balls that begin to move so soon after the struck one, s, met it at once.
+AT_ONCE = 0.15
+#: Time over which a velocity after such a contact is taken, s.
+FIRST_PICTURES = 0.07
+#: Errors of an azimuth, rad, and of a speed, as a share, that come from so few pictures.
+AZIMUTH_ERROR = 0.05
+SPEED_ERROR = 0.1
 #: A useful step of a place of rest, m, if it is free.
 REST_STEP = 0.001
 #: A place of rest that is one standard deviation away costs as much as this error, m, in one
@@ -123,12 +131,13 @@ class StrikeProblem:
         return INTENDED_WEIGHT * apart / self.intended.sigma
 
     def starts(self, count: int, random: np.random.Generator) -> Floats:
-        """Strikes at which a search begins, shape (count, 6).
+        """Strikes at which a search begins, shape (starts, 6).
 
         They are near the intended one. If that is not known, the azimuth and the speed are those
-        that the first pictures show, and the tip's offset and the elevation are drawn.
+        that the first pictures show, and the tip's offset and the elevation are drawn. There are
+        ``count`` starts for each way to read the first pictures (``begins``).
         """
-        clock = np.full(count, np.mean(self.observed.strike_time))
+        clock = np.mean(self.observed.strike_time)
         if self.intended is not None:
             own = self.intended
             near = np.minimum(own.sigma, NEAR) * random.standard_normal((count, len(NEAR)))
@@ -139,32 +148,75 @@ class StrikeProblem:
             near[:, 2:4] *= np.minimum(1.0, 0.95 * LARGEST_OFFSET / np.maximum(offset, 1e-9))[
                 :, None
             ]
-            return np.column_stack((near, clock))
-        azimuth, speed = self.begin()
+            return np.column_stack((near, np.full(count, clock)))
+        begins = self.begins()
+        chosen = np.arange(count * len(begins)) % len(begins)
+        azimuth, speed = np.array(begins)[chosen].T
+        # The mean motion of a ball that meets nothing is known well, the others roughly.
+        rough = chosen > 0
+        count = chosen.size
+        azimuth = azimuth + rough * AZIMUTH_ERROR * random.standard_normal(count)
+        speed = speed * np.exp(rough * SPEED_ERROR * random.standard_normal(count))
         radius = 0.5 * np.sqrt(random.random(count))
         angle = 2.0 * np.pi * random.random(count)
         return np.column_stack(
             (
-                np.full(count, azimuth),
-                np.full(count, speed),
+                azimuth,
+                speed,
                 radius * np.cos(angle),
                 radius * np.sin(angle),
                 0.02 + 0.12 * random.random(count),
-                clock,
+                np.full(count, clock),
             )
         )
 
-    def begin(self) -> tuple[float, float]:
-        """Azimuth, rad, and speed of the cue, m/s, that the first pictures show."""
+    def begins(self) -> list[tuple[float, float]]:
+        """Azimuths, rad, and speeds of the cue, m/s, that the first pictures show.
+
+        The first are those of the mean motion. They are wrong where the struck ball meets a ball or
+        a rail at once. Then there are those of the momentum of both balls after their contact, and
+        those of the first step.
+        """
         samples = self.observed.samples[self.observed.struck]
-        moved = samples.position[samples.time >= samples.time[0] + self.observed.first_move - 1e-9]
-        times = samples.time[samples.time >= samples.time[0] + self.observed.first_move - 1e-9]
-        count = int(np.clip(np.searchsorted(times, times[0] + 0.09), 1, len(times) - 1))
-        way = moved[count] - samples.position[0]
-        speed = math.dist(moved[count], moved[0]) / (times[count] - times[0])
-        azimuth = math.atan2(way[1], way[0]) + self.frame.rotation
-        # A cue gives a ball about 1.3 times its own speed.
-        return azimuth, max(speed, 0.1) / 1.3
+        rest = samples.position[0]
+        start = samples.time[0] + self.observed.first_move
+        moved = int(np.searchsorted(samples.time, start - 1e-9))
+        end = np.searchsorted(samples.time, samples.time[moved] + 0.09)
+        last = int(np.clip(end, moved + 1, len(samples) - 1))
+        begins: list[tuple[float, float]] = []
+
+        def add(way: Floats, speed: float) -> None:
+            azimuth = math.atan2(way[1], way[0]) + self.frame.rotation
+            # A cue gives a ball about 1.3 times its own speed.
+            speed = max(speed, 0.1) / 1.3
+            if all(
+                abs(math.remainder(azimuth - other, 2.0 * math.pi)) > AZIMUTH_ERROR
+                or abs(speed / known - 1.0) > 2.0 * SPEED_ERROR
+                for other, known in begins
+            ):
+                begins.append((azimuth, speed))
+
+        step = samples.position[last] - samples.position[moved]
+        speed = math.hypot(*step) / (samples.time[last] - samples.time[moved])
+        add(samples.position[last] - rest, speed)
+        for name, ball in self.observed.samples.items():
+            when = None if name == self.observed.struck else first_move(ball)
+            if when is not None and when < start + AT_ONCE:
+                both = _velocity(samples, when) + _velocity(ball, when)
+                if np.isfinite(both).all():
+                    speed = math.hypot(*both)
+                    add(both, speed)
+        add(samples.position[moved] - rest, speed)
+        return begins
+
+
+def _velocity(ball: TrackedBall, start: float) -> Floats:
+    """Mean velocity in the first pictures from a time on, m/s, shape (2,); NaN if there is one."""
+    chosen = (ball.time >= start - 1e-9) & (ball.time < start + FIRST_PICTURES)
+    if chosen.sum() < 2:
+        return np.full(2, np.nan)
+    velocity: Floats = np.polyfit(ball.time[chosen] - start, ball.position[chosen], 1)[0]
+    return velocity
 
 
 def residuals(
