@@ -141,10 +141,6 @@ impl FrameEpisode {
         let prepared = Prepared::new(&self.frame, strike.cue_ball)?;
         let [intended, actual] = [strike.intended, strike.actual].map(|s| through_degrees(&s));
         prepared.shot().resolve_strike(&intended)?;
-        let call = match strike.call {
-            Some(call) => call,
-            None => self.call(simulator, &prepared, &intended),
-        };
         if strike.cling.is_empty() {
             simulator.simulate(&prepared, &actual)?;
         } else {
@@ -152,6 +148,17 @@ impl FrameEpisode {
             let clung = prepared.shot().with_cling(strike.cling);
             simulator.simulate_shot(&prepared, &clung, &actual)?;
         }
+        let call = match strike.call {
+            Some(call) => call,
+            // Where no ball falls, no ruling depends on a call that names a pocket. Opponents see it.
+            None if simulator.outcome().pocketed.is_empty()
+                && !turn.calls.nominate
+                && self.chooser.is_none() =>
+            {
+                Self::default_call(&turn)
+            }
+            None => self.call(simulator, &prepared, &intended),
+        };
         if let Some(shots) = shots {
             let shot = prepared.shot().with_cling(strike.cling).with_strike(&actual)?;
             shots.push(shot);

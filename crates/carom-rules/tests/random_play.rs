@@ -301,6 +301,42 @@ fn the_ruling_on_a_trace_equals_the_ruling_on_its_shot() {
     }
 }
 
+/// The environments simulate an intended shot, to name its pocket, only where a ball has fallen.
+#[test]
+fn no_ruling_depends_on_the_named_pocket_where_no_ball_falls() {
+    let mut compared = 0;
+    let mut simulator = FrameSimulator::new();
+    for game in Game::ALL {
+        let mut dice = Dice::new(4);
+        let mut frame = Frame::new(game, Options::default(), None, None, 4).expect("a rack");
+        for _ in 0..200 {
+            match *frame.request() {
+                Request::Shot(turn) => {
+                    let play = any_play(&frame, &turn, &mut dice);
+                    let Ok(prepared) = Prepared::new(&frame, play.cue_ball) else { continue };
+                    simulator.simulate(&prepared, &play.strike).expect("it can be played");
+                    let rule = |call| {
+                        let mut successor = frame.clone();
+                        let ruling = simulator.rule(&prepared, call, &mut successor);
+                        (ruling.expect("an allowed call"), successor.to_node())
+                    };
+                    let named = matches!(play.call, Call::Pocket(..));
+                    if named && turn.calls.safety && simulator.outcome().pocketed.is_empty() {
+                        assert_eq!(rule(play.call), rule(Call::Safety));
+                        compared += 1;
+                    }
+                    let _ = frame.play(&play);
+                }
+                Request::Choice { choices, .. } => {
+                    frame.choose(choices[0]).expect("it is among them");
+                }
+                Request::Over { .. } => break,
+            }
+        }
+    }
+    assert!(compared > 100, "{compared} shots");
+}
+
 #[test]
 fn a_frame_continues_from_given_places() {
     let frame = |game| Frame::new(game, Options::default(), None, None, 3).expect("a rack");

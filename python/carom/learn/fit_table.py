@@ -237,7 +237,7 @@ class _Joint:
         return min(leaves(found[: 2 * time.size].reshape(-1, 2), time), observed.end)
 
     def on_track(self, index: int, vector: Floats) -> tuple[float, Floats]:
-        """How long the strike near another one that stays on the track longest does so, s; and it."""
+        """The strike near another one that stays on the track longest, with how long it does, s."""
         problem, first = self.problem(index), self.observed[index].first_move
         steps, found = np.array(STEPS), []
         for seconds in BEGINNINGS:
