@@ -73,7 +73,14 @@ class LearnedNumbers:
     strikes: Mapping[str, Floats] = field(default_factory=dict, repr=False)
 
     @classmethod
-    def of(cls, model: TableModel, mean: Floats, curvatures: Floats, gradients: Floats) -> Self:
+    def of(
+        cls,
+        model: TableModel,
+        mean: Floats,
+        curvatures: Floats,
+        gradients: Floats,
+        model_error: float = 1.0,
+    ) -> Self:
         """The posterior whose covariance is the scatter of the numbers when a shot is left out.
 
         The errors of a model within one shot belong together: they follow from the same strike and
@@ -89,6 +96,8 @@ class LearnedNumbers:
             mean: The values, shape (p,).
             curvatures: The curvature Hᵢ that each shot adds, shape (n, p, p), in steps.
             gradients: The gradient gᵢ of each shot, shape (n, p), in steps.
+            model_error: How many times as wide the intervals are because the balls follow no model
+                exactly. Such an error is the same in every shot, so their scatter does not have it.
         """
         shots, size = gradients.shape
         total = curvatures.sum(axis=0)
@@ -97,7 +106,7 @@ class LearnedNumbers:
         scatter = moves.T @ moves * ((shots - 1) / shots)
         # A direction along which no shot moves the numbers has no information either.
         scatter += np.linalg.inv(total + ridge)
-        wider = _student_90(_freedom(curvatures, ridge)) / NORMAL_90
+        wider = model_error * _student_90(_freedom(curvatures, ridge)) / NORMAL_90
         scatter *= np.outer(wider, wider)
         spread = np.linalg.inv(np.linalg.inv(scatter) + np.eye(size) / PRIOR_STEPS**2)
         covariance: Any = spread * np.outer(model.steps, model.steps)
