@@ -85,6 +85,34 @@ def test_a_shot_without_motion_has_no_contacts() -> None:
     assert (found.contacts, found.runs, found.struck) == ((), (), None)
 
 
+def test_a_strike_beside_a_rail_is_no_contact_with_it() -> None:
+    """Seen: the first contact of a ball that lay at a rail was that rail, at the strike."""
+    balls = {"1": (0.031, 1.0), "2": (0.9, 2.0), "3": (1.1, 2.6)}
+    shot = carom.Shot("carom-10ft", balls, carom.Strike(2.0, 0.2, ball="1"))
+    made = learn.synthetic(shot, clock_offset=0.25, rate=50.0)
+    found = learn.segment(made.tracks[0], made.tracks.header)
+    assert abs(found.start - 0.25) < 0.01
+    assert [contact.rail for contact in found.contacts][:1] == ["right"]
+
+
+def test_two_changes_at_one_rail_within_30_ms_are_one_contact() -> None:
+    """Seen: a rail twice within 16 ms, because one picture showed the ball in the nose."""
+    balls = {"1": (0.7, 1.0), "2": (0.2, 2.0), "3": (0.3, 2.6)}
+    shot = carom.Shot("carom-10ft", balls, carom.Strike(2.0, 0.2, ball="1"))
+    made = learn.synthetic(shot, clock_offset=0.25, rate=100.0, sigma=0.0003)
+    ball = made.tracks[0].balls["1"]
+    contact = made.contacts(0)[0]
+    assert contact.rail == "right"
+    # A slow picture smears the reversal: the ball stays at the nose for 20 ms.
+    moved = ball.position.copy()
+    near = np.abs(ball.time - contact.time) < 0.011
+    moved[near, 0] = moved[near, 0].max() - 0.002
+    shown = dict(made.tracks[0].balls) | {"1": TrackedBall(ball.time, moved)}
+    found = learn.segment(TrackedShot("1", shown), made.tracks.header)
+    rails = [one for one in found.contacts if one.rail is not None and one.balls == ("1",)]
+    assert len([one for one in rails if abs(one.time - contact.time) < 0.05]) == 1
+
+
 def test_a_hand_on_the_table_is_an_unknown_contact() -> None:
     time = np.arange(100) / 50.0
     x = np.where(time < 1.0, 0.5, 0.5 + 0.4 * (time - 1.0))
