@@ -46,6 +46,9 @@ REACH = 2.0
 SETTLED = 0.02
 #: Most steps of a round.
 ITERATIONS = 8
+#: Rounds in which every strike is searched. In the others one that stays on its track to the end is
+#: kept: the numbers move little then.
+SEARCHED = 2
 #: Share of the curvature that damps a step.
 DAMPING = 0.002
 #: Curvature of the weak prior about the start, in units of a parameter's step. It moves only
@@ -170,10 +173,14 @@ class _Joint:
 
         def better(index: int) -> Floats | None:
             problem, old = self.problem(index), self.strikes[index]
+            end = self.observed[index].end
+            if old is not None:
+                at = problem.residuals(end)
+                again, cost_again = levenberg.refine(at, old[None], problem.steps, iterations=12)
+                if turn >= SEARCHED and self.horizon(index, again[0]) >= end:
+                    return again[0]
             found, cost = search(problem, self.starts, self.seed + 1000 * turn + index)
             if old is not None:
-                at = problem.residuals(self.observed[index].end)
-                again, cost_again = levenberg.refine(at, old[None], problem.steps, iterations=12)
                 found, cost = np.concatenate((again, found)), np.append(cost_again, cost)
             return found[cost.argmin()] if np.isfinite(cost).any() else old
 
