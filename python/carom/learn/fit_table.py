@@ -177,8 +177,9 @@ class _Joint:
             if old is not None:
                 at = problem.residuals(end)
                 again, cost_again = levenberg.refine(at, old[None], problem.steps, iterations=12)
-                if turn >= SEARCHED and self.horizon(index, again[0]) >= end:
-                    return again[0]
+                kept: Floats = again[0]
+                if turn >= SEARCHED and self.horizon(index, kept) >= end:
+                    return kept
             found, cost = search(problem, self.starts, self.seed + 1000 * turn + index)
             if old is not None:
                 found, cost = np.concatenate((again, found)), np.append(cost_again, cost)
