@@ -49,6 +49,14 @@ class Played(NamedTuple):
     film: learn.TrackedShot
 
 
+def frame_of(shot: carom.Shot) -> carom.Frame:
+    """The game from there; a cue ball that touches a ball is played as it lies."""
+    frame = carom.Frame.of_shot(GAME, shot)
+    if frame.request.kind == "choice":
+        frame.choose("play-on")
+    return frame
+
+
 class World:
     """The true table, cue and camera, which the robot does not know."""
 
@@ -81,7 +89,7 @@ class World:
     def play(self, asked: CueMotion, name: str) -> tuple[CueMotion, learn.TrackedShot, bool]:
         """The motion of the cue as it was measured, the film, and whether the shot scored."""
         lying = carom.Shot(self.table, self.balls, carom.Strike(1.0, 0.0), physics=self.physics)
-        frame = carom.Frame.of_shot(GAME, lying)
+        frame = frame_of(lying)
         seeds = self.rng.integers(2**31, size=2).tolist()
         # A cue beside the ball that the camera saw may miscue.
         strike = replace(self.frame.strike(lying, *asked), miscue="report")
@@ -136,7 +144,7 @@ class Robot:
     def plan(self, seen: dict[str, np.ndarray]) -> tuple[carom.Shot, float]:
         """The best shot, and the chance that it scores."""
         assert self.errors is not None
-        frame = carom.Frame.of_shot(GAME, self.lying(seen))
+        frame = frame_of(self.lying(seen))
         noise = self.errors.at(3.0).noise + self.beside(None)
         best = self.player.explain(frame, 1, noise=noise, posterior=self.table).best
         assert best is not None

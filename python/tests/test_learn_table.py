@@ -13,6 +13,7 @@ from carom import learn
 from carom.errors import CaromError, InputError
 from carom.learn import filmed_strikes
 from carom.learn.observation import Observation
+from carom.learn.posterior import MODEL_ERROR
 from carom.learn.table_model import Frame, TableModel
 from scipy import stats
 
@@ -76,6 +77,13 @@ def test_numbers_are_found_again(learned: learn.Posterior) -> None:
     assert errors.max() < 0.5, learned.summary()
 
 
+def scatter(found: learn.Posterior, name: str) -> tuple[float, float]:
+    """The interval of 90 % without the error of the model that all shots share."""
+    low, high = found.interval(name)
+    middle, half = (low + high) / 2.0, (high - low) / 2.0 / MODEL_ERROR
+    return middle - half, middle + half
+
+
 def test_intervals_cover_the_truth_when_errors_of_a_shot_belong_together() -> None:
     """A linear model whose samples all have the error of their shot, 400 times."""
     random = np.random.default_rng(7)
@@ -83,7 +91,7 @@ def test_intervals_cover_the_truth_when_errors_of_a_shot_belong_together() -> No
     truth, covered = model.start, []
     for _ in range(400):
         found = linear_films.learned(random, model, shots=40, samples=30)
-        intervals = [found.interval(name) for name in FREE[:3]]
+        intervals = [scatter(found, name) for name in FREE[:3]]
         covered += [low < true < high for (low, high), true in zip(intervals, truth, strict=True)]
     assert 0.87 < np.mean(covered) < 0.94
 
@@ -284,10 +292,10 @@ def test_an_interval_is_wider_where_few_shots_tell_most(
     curvatures = np.array(weights).reshape(-1, 1, 1)
     gradients = np.array([1e-3, -1e-3] + [0.0] * (len(weights) - 2))[:, None]
     found = learn.Posterior.of(model, model.start, 1e4 * curvatures, gradients)
-    low, high = found.interval(FREE[0])
+    low, high = scatter(found, FREE[0])
     shots = len(weights)
     rest = 1e4 * (sum(weights) - curvatures[:, 0, 0])
-    scatter = ((gradients[:, 0] / rest) ** 2).sum() * (shots - 1) / shots
-    scatter += 1.0 / (1e4 * sum(weights))
-    expected = stats.t.ppf(0.95, freedom) * math.sqrt(scatter) * model.steps[0]
+    variance = ((gradients[:, 0] / rest) ** 2).sum() * (shots - 1) / shots
+    variance += 1.0 / (1e4 * sum(weights))
+    expected = stats.t.ppf(0.95, freedom) * math.sqrt(variance) * model.steps[0]
     assert (high - low) / 2.0 == pytest.approx(expected, rel=0.06)

@@ -21,11 +21,6 @@ from carom.noise import Noise
 from carom.progress import progress_bar
 from carom.shot import Shot
 
-#: How many times as wide intervals are as the scatter of the shots says. Films whose rails follow
-#: another model than the fit's then cover the truth as often as they should
-#: (``benches/table_coverage.py``, docs/learn-table.md).
-MODEL_ERROR = 1.5
-
 
 class Posterior(LearnedNumbers):
     """What was learned about a table from filmed shots, with a report about it."""
@@ -121,6 +116,5 @@ def table(
         for one, strike in zip(observed, found.strikes, strict=True)
         if strike is not None
     }
-    parts = found.curvatures, found.gradients
-    learned = Posterior.of(model, found.vector, *parts, model_error=MODEL_ERROR)
+    learned = Posterior.of(model, found.vector, found.curvatures, found.gradients)
     return replace(learned, strikes=strikes)

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from carom import _core
 from carom.cloth import STANDARD_GRAVITY
 from carom.lazy import np
-from carom.learn.posterior import LearnedNumbers
+from carom.learn.posterior import MODEL_ERROR, LearnedNumbers
 from carom.learn.report_data import ShotFit
 from carom.shot import Shot
 
@@ -137,7 +137,8 @@ def curves(posterior: LearnedNumbers, shots: Sequence[ShotFit]) -> dict[str, Cur
 
 def _curve(x: Floats, rows: Sequence[Floats], seen: Floats) -> Curve:
     """A curve from that of the start, that of the mean, and those of draws."""
-    low, high = np.percentile(np.array(rows[2:]), BAND, axis=0)
+    ends = np.percentile(np.array(rows[2:]), BAND, axis=0)
+    low, high = rows[1] + MODEL_ERROR * (ends - rows[1])
     return Curve(x, rows[1], low, high, rows[0], seen[(seen >= x[0]) & (seen <= x[-1])])
 
 

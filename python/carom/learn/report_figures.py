@@ -8,7 +8,7 @@ from html import escape
 from typing import TYPE_CHECKING
 
 from carom.lazy import np
-from carom.learn.posterior import NORMAL_90, UNKNOWN, LearnedNumbers
+from carom.learn.posterior import UNKNOWN, LearnedNumbers
 from carom.learn.report_chart import Chart, figure, number, polyline, span, svg
 from carom.learn.report_curves import THROW_SPEED, Curve, curves
 from carom.learn.report_data import FitReport, ShotFit
@@ -147,7 +147,7 @@ def corner_figure(posterior: LearnedNumbers) -> str:
     if len(chosen) < 2:
         return ""
     names = [posterior.names[k] for k in chosen]
-    mean, sigma = posterior.mean[chosen], posterior.sigma[chosen]
+    sigma = posterior.sigma[chosen]
     correlation = posterior.covariance[np.ix_(chosen, chosen)] / np.outer(sigma, sigma)
     count = len(chosen)
     parts = []
@@ -160,20 +160,19 @@ def corner_figure(posterior: LearnedNumbers) -> str:
                 f'<g transform="translate({x} {y})"><rect class="frame" width="{size}" '
                 f'height="{size}"/>{own}</g>'
             )
-        parts += _corner_labels(row, count, names[row], float(mean[row]), float(sigma[row]))
+        parts += _corner_labels(row, count, names[row], *posterior.interval(names[row]))
     width, height = _CORNER_LEFT + count * _SQUARE, count * _SQUARE + _CORNER_BELOW
     title = "Joint posterior of " + ", ".join(names)
     caption = (
         "The numbers that these shots tell best. Each square is four standard deviations wide on "
-        "both sides of the mean. An ellipse has 90 % of the probability; a thin, slanted one is "
+        "both sides of the mean. An ellipse has 90 % of the draws; a thin, slanted one is "
         "of two numbers that trade off."
     )
     return figure(svg(title, width, height, parts), caption)
 
 
-def _corner_labels(row: int, count: int, name: str, mean: float, sigma: float) -> list[str]:
+def _corner_labels(row: int, count: int, name: str, low: float, high: float) -> list[str]:
     """The name of a number left of its row and below its column, with its interval of 90 %."""
-    low, high = mean - NORMAL_90 * sigma, mean + NORMAL_90 * sigma
     interval = f"{number(low)} … {number(high)}"
     first, _, last = name.rpartition(".")
     y = row * _SQUARE + _SQUARE / 2
