@@ -3,7 +3,8 @@
 It has the layouts, the kind of action and the size of errors of ``carom/EightBall-v6`` with
 ``aim="relative"``, and the balls stay where they come to rest from shot to shot. It has no referee:
 any ball may be hit first, nothing is called, and an episode ends when the eight or the last of the
-other balls is pocketed. A shot is therefore simulated once, where ours is simulated twice.
+other balls is pocketed. A shot is therefore simulated once, where ours is simulated twice if a ball
+falls.
 """
 
 from __future__ import annotations
