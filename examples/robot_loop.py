@@ -185,12 +185,12 @@ class Robot:
         strike = self.frame.strike(lying, *motion)
         return carom.Shot(lying.table, lying.balls, strike, physics=lying.physics)
 
-    def measured(self) -> dict[str, carom.Shot]:
-        """The strikes by the motions of the cue, without those measured beyond the miscue limit."""
+    def strikes(self, part: str) -> dict[str, carom.Shot]:
+        """The strikes by the motions `asked` or `moved`, without those beyond the miscue limit."""
         found = {}
         for name, shot in self.shots.items():
             try:
-                found[name] = self.strike(shot, shot.moved)
+                found[name] = self.strike(shot, getattr(shot, part))
             except carom.InputError as error:
                 if error.kind != "miscue":
                     raise
@@ -200,7 +200,7 @@ class Robot:
         """Learns the table from the films, and its errors from the motions of the cue."""
         header = learn.TracksHeader(table=TABLE, sigma=FILMED, rate=RATE)
         tracks = learn.Tracks(header, tuple(shot.film for shot in self.shots.values()))
-        near = self.measured()
+        near = self.strikes("moved")
         sensors = carom.Noise(
             azimuth=SENSED[1],
             elevation=SENSED[1],
@@ -212,8 +212,12 @@ class Robot:
             tracks, free=FREE, intended=near, noise=sensors, rounds=4, starts=4
         )
         # On the table as it is known now.
-        played = [learn.PlayedStrike.exact(*strike) for strike in self.measured().items()]
-        meant = {name: self.strike(shot, shot.asked) for name, shot in self.shots.items()}
+        meant = self.strikes("asked")
+        played = [
+            learn.PlayedStrike.exact(name, shot)
+            for name, shot in self.strikes("moved").items()
+            if name in meant
+        ]
         self.errors = learn.player(played, meant, draws=400)
 
 
