@@ -245,7 +245,10 @@ fn every_state_is_finite_at_any_time() {
         let states = trace.at(time).expect("a time");
         for (ball, state) in states.iter().enumerate() {
             assert!(state.position.is_finite(), "{ball} at {time} s: {state:?}");
-            assert!(orientations.at(ball, time).iter().all(|x| x.is_finite()), "{ball} at {time} s");
+            assert!(
+                orientations.at(ball, time).iter().all(|x| x.is_finite()),
+                "{ball} at {time} s"
+            );
         }
     }
 }
