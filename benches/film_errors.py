@@ -26,12 +26,11 @@ import numpy as np
 from carom import learn
 from carom.bench import report
 from carom.files import write_whole
+from carom.learn.contacts import ONE
 
 STORED = Path(__file__).parent / "results" / "film_errors.json"
 #: Error of the places of rest, m, where they are free.
 REST = 0.0015
-#: Longest time between two contacts that a film shows as one, s.
-ONE = 0.03
 QUANTILES = (5, 25, 50, 75, 95)
 
 

@@ -37,8 +37,8 @@ _CHANGE_ALONE = 0.1
 _SAME_TIME = 0.02
 
 
-# Contacts of the same balls, or of a ball with the same rail, within this time, s, are one.
-_ONE = 0.03
+#: Contacts of the same balls, or of a ball with the same rail, within this time, s, are one.
+ONE = 0.03
 # A change of velocity without a cause counts from this, m/s, and this number of standard
 # deviations: a cut at the end of sliding that is some samples off looks like a small one.
 _UNKNOWN_CHANGE = 0.25
@@ -294,7 +294,7 @@ def _without_repeats(causes: list[_Cause]) -> list[_Cause]:
                 if (len(own.balls) == 2 or own.rail is not None)
                 and set(k.contact.balls) == set(own.balls)
                 and k.contact.rail == own.rail
-                and own.time - k.contact.time < _ONE
+                and own.time - k.contact.time < ONE
             ),
             None,
         )
